@@ -26,8 +26,7 @@ std::vector<KeyInfo> gap_keys()
          "\"film\"",
          any,
          {"film", "none", "parts"},
-         "thin gaps carry films, or are left to the grid; parts: bodies of any thickness; added masses, and runs of ideal "
-         "fluid"},
+         "thin gaps carry films, or are left to the grid; parts: bodies of any thickness, runs on one rank with viscosity"},
         {"gap.threshold",
          T::number_or_word,
          "cells",

@@ -194,14 +194,36 @@ void check_voids_of_parts(const Values& v, const Scene& scene)
             refuse("domain.sides." + side_names[side]);
 }
 
-/// Runs with parts are those of ideal fluid.
+/// What viscous fluid on parts does not have yet.
+void check_viscosity_of_parts(const Values& v, const Scene& scene)
+{
+    const auto refuse = [&](const std::string& key, const std::string& what, const std::string& remedy) {
+        v.refuse(key, "this version runs gap.model = \"parts\" with viscosity without " + what, remedy);
+    };
+    for (int side = 0; side < 2 * scene.dimension; ++side)
+        if (const SideScene::Kind kind = scene.sides[side].kind;
+            kind == SideScene::Kind::inflow || kind == SideScene::Kind::pressure)
+            refuse("domain.sides." + side_names[side], "inflow or given pressure",
+                   "write \"wall\", \"open\", \"far\" or \"periodic\", or gap.model = \"film\"");
+    if (scene.follow)
+        refuse("domain.follow", "a grid that follows", "leave it out, or write gap.model = \"film\"");
+    if (v.flag("output.forces"))
+        refuse("output.forces", "the parts of forces", "leave it out, or write gap.model = \"film\"");
+    const auto gaps = gaps_of(scene);
+    if (scene.vapour_pressure)
+        refuse("fluid.vapour_pressure", "cavitation", "leave it out, or write gap.model = \"film\"");
+    if (std::any_of(gaps.begin(), gaps.end(), [](const GapScene* gap) { return gap->contact == GapScene::Contact::dry; }))
+        refuse("gap.contact", "dry contact", "write \"wet\", or gap.model = \"film\"");
+}
+
+/// What runs with parts do not have yet.
 void check_parts(const Values& v, Purpose purpose, const Scene& scene)
 {
     if (!scene.parts || !(purpose == Purpose::run || (purpose == Purpose::check && scene.end > 0)))
         return;
     const std::string remedy = "leave it out, or write gap.model = \"film\"";
     if (scene.viscosity > 0)
-        v.refuse("fluid.viscosity", "this version runs gap.model = \"parts\" without viscosity", remedy);
+        check_viscosity_of_parts(v, scene);
     for (int side = 0; side < 2 * scene.dimension; ++side)
         if (scene.fluid_velocity[side / 2] != 0 && scene.sides[side].kind == SideScene::Kind::wall)
             v.refuse("fluid.velocity",

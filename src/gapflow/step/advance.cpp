@@ -8,6 +8,8 @@
 #include "gapflow/step/mean_flow.hpp"
 #include "gapflow/step/pressure.hpp"
 #include "gapflow/step/remainder.hpp"
+#include "gapflow/step/viscosity.hpp"
+#include "gapflow/step/viscous_end.hpp"
 #include "gapflow/step/void_solve.hpp"
 #include "gapflow/step/vorticity.hpp"
 #include "gapflow/stepping/drive.hpp"
@@ -297,6 +299,29 @@ void find_flow(const typename VoidSolve<D>::Solve& solve, VoidSolve<D>& voids, i
     settle_weak_rows(*now.placed, now.flow);
 }
 
+/// Contacts again, after loads and viscosity have acted on the bodies.
+template <int D>
+void meet_again(const Model<D>& model, const ContactSet<D>& contacts, const std::vector<TwistMatrix<D>>& mass, const Step& step,
+                State<D>& state, StepReport& report, StageTimers& timers, Instant<D>& now)
+{
+    Instant<D> start;
+    start.impulse = fluid_impulse(*now.placed, now.flow);
+    const std::vector<Twist<D>> none(start.impulse.size(), Twist<D>::Zero());
+    Coupling<D>& system = now.placed->coupling;
+    state.contacts = contacts;
+    state.pressure.impulse = {CellField<D>(model.grid), {}};
+    Intermediate<D> star = intermediate(model, start, *now.placed, system, now.stream, now.flow.remainder, now.flow.sides,
+                                        now.flow.twists, StepForces<D>{none, none}, state, step.dt);
+    Projected<D> end = project(model, system, std::move(star), mass, step, state, report, timers);
+    now.flow.twists = std::move(end.twists);
+    now.flow.p = std::move(end.impulse);
+    leave_gauge(system, now.flow.twists, now.flow.p);
+    settle_weak_rows(*now.placed, now.flow);
+    const std::vector<Twist<D>> impulse = fluid_impulse(*now.placed, now.flow);
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        state.wrenches[b] -= (impulse[b] - start.impulse[b]) / step.dt;
+}
+
 /// Share of the energy that the work of a pass may miss.
 double may_miss(int pass)
 {
@@ -328,13 +353,16 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
     double last = std::numeric_limits<double>::infinity();
     state.forces_settle = true;
     int left = passes_of_work; // of a step whose forces do not settle
+    std::vector<Twist<D>> loads;
     for (int pass = 1;; ++pass) {
         state.contacts = contacts;
         state.pressure.impulse = {CellField<D>(model.grid), {}};
         now.flow.remainder = timed("vorticity", [&] { return turned.find(pass > 1 ? &now : nullptr); });
-        state.drive = mean_flow.drive(state.drive);
+        state.drive = model.viscous() ? Drive<D>{} : mean_flow.drive(state.drive); // with viscosity it drives while this acts
         now.stream = state.drive.flow;
-        const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
+        std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
+        if (model.viscous())
+            loads = take_loads(state.bodies, mass, model.scene.density, step.dt, forced);
         const auto solve = [&](Coupling<D>& system, const UnknownVector<D>& outflow, const std::vector<Twist<D>>& impulse) {
             Intermediate<D> star = intermediate(model, old, *now.placed, system, now.stream, now.flow.remainder, now.flow.sides,
                                                 forced, forces, state, step.dt);
@@ -345,7 +373,7 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
         };
         find_flow<D>(solve, voids, pass, now);
         timed("forces", [&] { find_forces(now); });
-        const bool is_kept = mean_flow.found(now, state.bodies);
+        const bool is_kept = model.viscous() || mean_flow.found(now, state.bodies);
         if (!state.forces_settle) {
             if (--left == 0)
                 break;
@@ -377,8 +405,12 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
     state.dt = step.dt;
     state.time = step.landing;
     state.steps = step.number;
-    finish_bodies(model, moved_by<D>(now.flow.twists, stream_twist<D>(now.stream)), step, state);
     state.wrenches = fluid_wrenches(model, old, now, forces, state.bodies, state.drive, step.start + 0.5 * step.dt, step.dt);
+    if (model.viscous())
+        timed("viscosity", [&] { with_viscosity(model, mass, loads, step, state, report, now); });
+    if (model.viscous() && !contacts.empty())
+        meet_again(model, contacts, mass, step, state, report, timers, now);
+    finish_bodies(model, moved_by<D>(now.flow.twists, stream_twist<D>(now.stream)), step, state);
     FluidVelocity<D> velocity = face_velocities(now);
     state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, model.grid_velocity, step.dt);
     state.velocity = std::move(velocity);
@@ -392,6 +424,8 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
     } else if (!old.kept.volume.empty())
         now.kept.volume.assign(count_sites(now.placed->complex), 0.0);
     if (!now.flow.remainder.empty()) {
+        if (model.viscous())
+            fill_covered(*now.placed, now.flow.remainder.faces);
         timed("vorticity", [&] { renew_gauge(*now.placed, now.flow, solver_options(model.scene)); });
         timed("forces", [&] { find_forces(now); });
     }
@@ -418,6 +452,8 @@ Instant<D> restored(const Model<D>& model, const State<D>& state, const PartVoid
                           given_sides(model, state.time)};
     if (!state.remainder.empty())
         flow.remainder = remainder_of(*at, state.remainder.faces);
+    if (model.viscous())
+        flow.remainder.edges = state.remainder.edges;
     Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), stream);
     instant.kept = kept;
     if (!state.forces_settle) {

@@ -7,6 +7,7 @@
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/inner_faces.hpp"
 #include "gapflow/step/matching.hpp"
+#include "gapflow/step/own_edges.hpp"
 #include "gapflow/step/remainder.hpp"
 
 #include <algorithm>
@@ -154,6 +155,11 @@ private:
         faces_ = {&before.remainder.faces, &after.remainder.faces};
         edges_[0] = {before.remainder.edges, along_edges(*place_[0], *faces_[1])};
         edges_[1] = {along_edges(*place_[1], *faces_[0]), after.remainder.edges};
+        for (int place = 0; place < 2 && place_[0]->viscous; ++place) {
+            const Placed<D>& other = *place_[1 - place];
+            const Remainder<D>& of_other = place ? before.remainder : after.remainder;
+            add_own(edges_[place][1 - place], carried_along_edges(other, own_along_edges(other, of_other), *place_[place]));
+        }
     }
 
     void put(long cell, double value)

@@ -1,6 +1,7 @@
 #include "gapflow/step/gauge.hpp"
 
 #include "gapflow/step/inner_faces.hpp"
+#include "gapflow/step/own_edges.hpp"
 #include "gapflow/step/remainder.hpp"
 
 #include <utility>
@@ -82,6 +83,7 @@ void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOption
     CellField<D> p =
         flow_of_twists(at, std::vector<Twist<D>>(coupling.solids.size(), Twist<D>::Zero()), options, flow.remainder).p.cells;
     extend_into_solids(coupling, flow.remainder.faces, p);
+    const std::vector<double> own = own_along_edges(at, flow.remainder);
     FluidVelocity<D> u{std::move(flow.remainder.faces), {}, {}, {}};
     UnknownVector<D> by{p, Eigen::VectorXd::Zero(coupling.system.nodes)};
     subtract_gradient(coupling, by, u);
@@ -92,6 +94,7 @@ void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOption
                     (by.cells(f) - by.cells(Index<D>(f - step<D>(axis)))) / (coupling.density * face_length(grid, axis, f));
         });
     flow.remainder = remainder_of(at, std::move(u.grid));
+    add_own(flow.remainder.edges, own);
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         if (coupling.system.component(c) >= 0)
             flow.p.cells(c) -= p(c);

@@ -3,6 +3,7 @@
 #include "gapflow/step/covered.hpp"
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/inner_faces.hpp"
+#include "gapflow/step/own_edges.hpp"
 #include "gapflow/step/remainder.hpp"
 
 #include <algorithm>
@@ -169,6 +170,11 @@ void find_forces(Instant<D>& instant)
     take_grid_along(instant);
     instant.energy = (rotational ? 0.5 * work_of_fluxes(at.coupling, instant.flux, instant.flow.remainder.faces) : 0) +
                      energy_of_sides(at, instant.flow);
+    if (const std::vector<double> own = own_along_edges(at, instant.flow.remainder); !own.empty()) {
+        const std::vector<double> through = edge_fluxes(at, instant.flow).edge;
+        for (std::size_t e = 0; e < own.size(); ++e)
+            instant.energy += 0.5 * at.coupling.density * own[e] * through[e];
+    }
     if (at.voids.any()) { // L p + K V is what flows into voids
         const UnknownVector<D> out = net_outflow(instant, face_velocities(instant));
         const Grid<D>& grid = *at.coupling.grid;

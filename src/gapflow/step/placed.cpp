@@ -6,6 +6,7 @@
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/step/covered.hpp"
 #include "gapflow/stepping/standoff.hpp"
+#include "gapflow/viscous/form.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +118,11 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
     auto result = std::make_unique<Placed<D>>();
     result->rotational = circulation;
     const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
-    result->complex = build_complex<D>(model.grid, solids, &result->derivatives);
+    PartBorders<D> borders;
+    result->complex = build_complex<D>(model.grid, solids, &result->derivatives, model.viscous() ? &borders : nullptr);
+    if (model.viscous())
+        result->viscous = std::make_shared<const ViscousForm<D>>(build_viscous_form<D>(
+            model.grid, solids, result->complex, borders, find_gap_drag<D>(model.grid, solids, result->complex, standoffs)));
     result->arms = find_gap_arms<D>(model.grid, solids, result->complex, standoffs);
     std::vector<MouthArm<D>> mouths = find_mouth_arms<D>(model.grid, solids, result->complex, standoffs);
     if (voids_are_possible(model.scene))

@@ -11,6 +11,9 @@
 
 namespace gapflow {
 
+template <int D>
+struct ViscousForm;
+
 /// An edge of the complex that is not a face of the grid between the largest parts of two cells: its flux is the conductance times the sum of w p and of the
 /// density times what circulation has along it, of which w leaves each row.
 template <int D>
@@ -61,6 +64,7 @@ struct Placed {
     bool rotational = false;                       ///< whether the flow has circulation
     EdgesOfParts<D> edges;                         ///< where it has, or where fluxes are measured
     Voids<D> voids;                                ///< in gaps
+    std::shared_ptr<const ViscousForm<D>> viscous; ///< dissipation per unit of viscosity; null: ideal fluid
     Coupling<D> coupling;                          ///< with the masses of the bodies at these places
     std::unique_ptr<const GapDerivatives<D>> gaps; ///< of the arms; null: none
 };

@@ -7,6 +7,7 @@
 #include "gapflow/step/mean_flow.hpp"
 #include "gapflow/step/part_flux.hpp"
 #include "gapflow/step/start.hpp"
+#include "gapflow/step/viscosity.hpp"
 #include "gapflow/step/void_solve.hpp"
 #include "gapflow/stepping/configuration.hpp"
 #include "gapflow/stepping/drive.hpp"
@@ -235,7 +236,7 @@ template <int D>
 void Simulation<D>::rehearse(double next_output)
 {
     std::vector<BulkViscosity> steps{BulkViscosity::is_left_out};
-    if (model_.viscous())
+    if (model_.viscous() && !model_.scene.parts)
         steps.push_back(BulkViscosity::acts);
     for (BulkViscosity viscosity : steps) {
         const State<D> start = state_;
@@ -340,7 +341,8 @@ void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
                 report.energy_bodies += kinetic_energy(relative) - kinetic_energy(body);
             }
         if (model_.driven()) {
-            const Vec<D> flow = mean_velocity(model_, *instant_, state_.bodies);
+            const Vec<D> flow =
+                model_.viscous() ? mean_flux(model_.grid, instant_->flux) : mean_velocity(model_, *instant_, state_.bodies);
             double* const flows[] = {&report.mean_velocity_x, &report.mean_velocity_y, &report.mean_velocity_z};
             for (int axis = 0; axis < D; ++axis)
                 *flows[axis] = flow[axis];
@@ -352,7 +354,7 @@ void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
     }
     for (std::string& note : blind_end_notes(coupling(), blind_told_))
         report.notes.push_back(std::move(note));
-    if (model_.viscous() && state_.steps > 0)
+    if (model_.viscous() && here_ && state_.steps > 0)
         for (std::string& note : short_film_notes(model_.scene, *here_, state_.pressure.impulse))
             report.notes.push_back(std::move(note));
 }

@@ -1,5 +1,6 @@
 #include "gapflow/step/start.hpp"
 
+#include "gapflow/core/error.hpp"
 #include "gapflow/grid/side_faces.hpp"
 #include "gapflow/step/gauge.hpp"
 #include "gapflow/step/given_sides.hpp"
@@ -26,11 +27,29 @@ FaceField<D> within_walls(const Grid<D>& grid, FaceField<D> velocity)
     return velocity;
 }
 
-} // namespace
+/// Of viscous fluid that bodies and the stream alone set moving: it has a remainder from the start.
+template <int D>
+FaceField<D> viscous_start(const Model<D>& model)
+{
+    FaceField<D> velocity(model.grid);
+    for (int axis = 0; axis < D; ++axis)
+        velocity[axis].fill(model.scene.fluid_velocity[axis]);
+    return velocity;
+}
+
+/// Throws InputError.
+template <int D>
+void require_for_viscosity(const Model<D>& model)
+{
+    if (model.grid.comm().size() > 1)
+        throw InputError(model.scene.file +
+                         ": fluid.viscosity: this version runs gap.model = \"parts\" with viscosity on one rank; "
+                         "start it on one, or write gap.model = \"film\"");
+}
 
 template <int D>
-Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers,
-                          const FaceField<D>* initial)
+Instant<D> start_with(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers,
+                      const FaceField<D>* initial)
 {
     require_weight(model.scene, state.bodies);
     for (std::string& warning : placement_warnings<D>(model.scene, state.bodies, model.walls))
@@ -74,6 +93,19 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         state.wrenches[b] = buoyancy(model, state.bodies[b]);
     return instant;
+}
+
+} // namespace
+
+template <int D>
+Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers,
+                          const FaceField<D>* initial)
+{
+    if (!model.viscous())
+        return start_with(model, state, report, timers, initial);
+    require_for_viscosity(model);
+    const FaceField<D> velocity = initial ? FaceField<D>() : viscous_start(model);
+    return start_with(model, state, report, timers, initial ? initial : &velocity);
 }
 
 template Instant<2> start_on_parts<2>(const Model<2>&, State<2>&, StepReport&, StageTimers&, const FaceField<2>*);

@@ -1,6 +1,7 @@
 #include "gapflow/step/vorticity.hpp"
 
 #include "gapflow/step/inner_faces.hpp"
+#include "gapflow/step/own_edges.hpp"
 #include "gapflow/step/remainder.hpp"
 
 #include <algorithm>
@@ -86,14 +87,23 @@ Remainder<D> TurnedRemainder<D>::find(const Instant<D>* end)
         FaceField<D> w = sub_steps(end, 1).second;
         if (end)
             take_work(*end, w);
-        return remainder_of(there_, std::move(w));
+        return at_end(std::move(w));
     }
     steps += steps % 2;
     find_curve(sub_steps(end, steps));
     FaceField<D> w = sub_steps(end, steps).second;
     if (end)
         take_work(*end, w);
-    return remainder_of(there_, std::move(w));
+    return at_end(std::move(w));
+}
+
+template <int D>
+Remainder<D> TurnedRemainder<D>::at_end(FaceField<D> w) const
+{
+    Remainder<D> remainder = remainder_of(there_, std::move(w));
+    if (there_.viscous)
+        add_own(remainder.edges, carried_along_edges(*old_.placed, own_along_edges(*old_.placed, old_.flow.remainder), there_));
+    return remainder;
 }
 
 /// Classical Runge-Kutta. Half-way, and at the end.

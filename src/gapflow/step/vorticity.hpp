@@ -37,6 +37,7 @@ private:
     FaceField<D> mean_flux(const Instant<D>& end) const;
     double courant(const FaceField<D>& flux) const;
     std::pair<FaceField<D>, FaceField<D>> sub_steps(const Instant<D>* end, int steps) const;
+    Remainder<D> at_end(FaceField<D> w) const;
     void find_curve(std::pair<FaceField<D>, FaceField<D>> half_and_end);
     void add(FaceField<D>& to, double factor, const FaceField<D>& change) const;
     void take_work(const Instant<D>& end, FaceField<D>& w) const;

@@ -137,6 +137,8 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
             if (state.remainder.empty())
                 state.remainder.faces = FaceField<D>(grid);
             list_field(archive, "velocity", grid, state.remainder.faces);
+            if (model.viscous())
+                archive("edges", state.remainder.edges);
         });
     PressureHistory<D>& pressure = state.pressure;
     list_field(archive, "pressure_impulse", grid, pressure.impulse.cells);

@@ -51,6 +51,7 @@ FormBuilder<D>::FormBuilder(const Grid<D>& grid, std::span<const Solid<D>> solid
     for (int axis = 0; axis < D; ++axis)
         periodic_ = periodic_ || grid.periodic(axis);
     form_.solids = static_cast<int>(solids.size());
+    find_sides();
     for (int axis = 0; axis < D; ++axis)
         vertex_trace_[axis].assign(index_.count, -1);
 }
@@ -173,6 +174,7 @@ void FormBuilder<D>::add_compact(std::int32_t number)
             const double width = planes_.place[a][f[a] + 1] - planes_.place[a][f[a]], across = face.area / width;
             Row row = velocity(number);
             if (is_closed_side(a, f[a] + end)) {
+                row.add(of_side(a, f[a] + end, face.axis), -1);
                 form_.squares.add(face.length * across / (0.5 * width), row);
                 continue;
             }

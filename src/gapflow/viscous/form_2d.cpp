@@ -87,7 +87,7 @@ Row FormBuilder<2>::of_vertex(std::int32_t vertex, int component)
 {
     const Index<2> v = index_.index(vertex);
     if (on_closed_side(v))
-        return {};
+        return of_sides(v, component);
     const int across = 1 - component;
     bool compact = false;
     for (int side = 0; side < 2; ++side) {

@@ -225,7 +225,7 @@ Row FormBuilder<3>::of_vertex(std::int32_t vertex, int component)
 {
     const Index<3> v = index_.index(vertex);
     if (on_closed_side(v))
-        return {};
+        return of_sides(v, component);
     std::int32_t& trace = vertex_trace_[component][vertex];
     if (trace < 0)
         trace = new_trace(component, vertex_place(v));
@@ -240,8 +240,8 @@ Row FormBuilder<3>::of_stretch(std::int32_t number, int component)
     const EdgeStretch stretch = stretches_[number];
     const Index<3> e = index_.index(stretch.edge);
     const int across = 3 - component - stretch.axis;
-    if (is_closed_side(component, e[component]) || is_closed_side(across, e[across]))
-        return {};
+    if (is_closed_side(across, e[across]))
+        return of_side(across, e[across], component);
     bool compact = false;
     for (int side = 0; side < 2; ++side) {
         const Index<3> f = index_.wrapped(Index<3>(e - side * step<3>(across)));

@@ -54,12 +54,28 @@ void FormBuilder<D>::add_plain_along(std::int32_t cell)
         form_.squares.add(1 / shapes_[cell].volume, rows[d]);
 }
 
+/// In space planes from edges that meet at a corner of a solid inside a cell need not share their borders: without closed borders even uniform motion would seem to
+/// have a divergence.
+template <int D>
+bool FormBuilder<D>::is_closed_border(std::int32_t cell) const
+{
+    Vec<D> sum = Vec<D>::Zero();
+    for (const CellFace& of : faces_of(cell))
+        sum[form_.faces[of.face].axis] += of.sign * form_.faces[of.face].polygon_area;
+    for (const WallPiece<D>& wall : walls_of(cell))
+        for (const WallSample<D>& sample : samples_of<D>(wall.points))
+            sum += sample.area;
+    return D == 2 || form_.cells.whole[cell] || !(sum.norm() > viscous_parameters.open_border);
+}
+
 template <int D>
 void FormBuilder<D>::add_along(std::int32_t cell)
 {
     for (const CellFace& of : faces_of(cell))
         if (form_.faces[of.face].compact)
             return add_plain_along(cell);
+    if (!is_closed_border(cell))
+        return;
     const CellShape<D>& shape = shapes_[cell];
     const double share = 1 - gap_of_cell_[cell];
     if (!(shape.volume > viscous_parameters.least_volume) || !(share > 1e-12))
@@ -111,6 +127,8 @@ void FormBuilder<D>::add_along(std::int32_t cell)
 }
 
 template void FormBuilder<2>::add_along(std::int32_t);
+template bool FormBuilder<2>::is_closed_border(std::int32_t) const;
+template bool FormBuilder<3>::is_closed_border(std::int32_t) const;
 template void FormBuilder<2>::add_plain_along(std::int32_t);
 template Vec<2> FormBuilder<2>::centroid_in(const CellFace&, std::int32_t) const;
 template void FormBuilder<3>::add_along(std::int32_t);

@@ -110,11 +110,15 @@ private:
     std::vector<BorderSegment<D>> square_of(const FormFace<D>& face);
     void join_stretches(std::size_t begin, const FormFace<D>& face);
     void find_walls();
+    void find_sides();
     Vec<D> on_curve(const Vec<D>& from, const Vec<D>& to, std::int32_t solid, int axis) const;
     std::vector<Vec<D>> curved(const PartFace<D>& face) const;
     double length_of(int axis, const Index<D>& f) const;
     bool is_closed_side(int axis, int plane) const;
     bool on_closed_side(const Index<D>& vertex) const;
+    /// The velocity of closed sides: at a plane of one, at a vertex (the mean of those that meet there); 0 of sides that are not among the solids.
+    Row of_side(int axis, int plane, int component) const;
+    Row of_sides(const Index<D>& vertex, int component) const;
     int number(const Index<D>& c) const { return index_(index_.wrapped(c)); }
     Vec<D> vertex_place(const Index<D>& v) const;
 
@@ -138,6 +142,7 @@ private:
     void add_compact(std::int32_t face);
     void add_along(std::int32_t cell);
     void add_plain_along(std::int32_t cell);
+    bool is_closed_border(std::int32_t cell) const;
     void find_gaps();
     void find_cell_shares();
     double pair_share(const std::array<std::int32_t, 2>& solids) const;
@@ -174,7 +179,8 @@ private:
     const PartBorders<D>& borders_;
     const GapDrags<D>& gaps_;
     GridPlanes<D> planes_;
-    std::vector<Vec<D>> reference_; ///< of each solid, in cells
+    std::vector<Vec<D>> reference_;              ///< of each solid, in cells
+    std::array<std::int32_t, 2 * D> side_solid_; ///< of each closed side; -1: none
     bool periodic_ = false;
     ViscousForm<D> form_;
     std::array<std::vector<std::int32_t>, D> whole_face_;           ///< by number in Complex::index; -1: none

@@ -25,6 +25,45 @@ bool FormBuilder<D>::on_closed_side(const Index<D>& vertex) const
     return false;
 }
 
+/// Closed sides among the solids are half-spaces with their wall in the side.
+template <int D>
+void FormBuilder<D>::find_sides()
+{
+    side_solid_.fill(-1);
+    for (std::size_t s = 0; s < solids_.size(); ++s)
+        for (int axis = 0; axis < D && solids_[s].wall; ++axis)
+            for (int end = 0; end < 2; ++end) {
+                const double place = planes_.place[axis][end * grid_.cells()[axis]];
+                Vec<D> inside = reference_[s];
+                inside[axis] += end ? -1 : 1;
+                if (std::abs(reference_[s][axis] - place) < viscous_parameters.same_place &&
+                    solids_[s].shape.distance(planes_.in_world(inside)) > 0.5 * planes_.dx)
+                    side_solid_[2 * axis + end] = static_cast<std::int32_t>(s);
+            }
+}
+
+template <int D>
+Row FormBuilder<D>::of_side(int axis, int plane, int component) const
+{
+    Row row;
+    if (const std::int32_t solid = side_solid_[2 * axis + (plane > 0)]; solid >= 0)
+        row.add(-1 - twist_size<D> * solid - component, 1);
+    return row;
+}
+
+template <int D>
+Row FormBuilder<D>::of_sides(const Index<D>& vertex, int component) const
+{
+    Row row;
+    int sides = 0;
+    for (int axis = 0; axis < D; ++axis)
+        sides += is_closed_side(axis, vertex[axis]);
+    for (int axis = 0; axis < D; ++axis)
+        if (is_closed_side(axis, vertex[axis]))
+            row.add(of_side(axis, vertex[axis], component), 1.0 / sides);
+    return row;
+}
+
 template <int D>
 double FormBuilder<D>::length_of(int axis, const Index<D>& f) const
 {
@@ -220,11 +259,17 @@ template void FormBuilder<2>::find_faces();
 template void FormBuilder<2>::find_walls();
 template bool FormBuilder<2>::is_closed_side(int, int) const;
 template bool FormBuilder<2>::on_closed_side(const Index<2>&) const;
+template void FormBuilder<2>::find_sides();
+template Row FormBuilder<2>::of_side(int, int, int) const;
+template Row FormBuilder<2>::of_sides(const Index<2>&, int) const;
 template Vec<2> FormBuilder<2>::centre_of(std::int32_t) const;
 template void FormBuilder<3>::find_faces();
 template void FormBuilder<3>::find_walls();
 template bool FormBuilder<3>::is_closed_side(int, int) const;
 template bool FormBuilder<3>::on_closed_side(const Index<3>&) const;
+template void FormBuilder<3>::find_sides();
+template Row FormBuilder<3>::of_side(int, int, int) const;
+template Row FormBuilder<3>::of_sides(const Index<3>&, int) const;
 template Vec<3> FormBuilder<3>::centre_of(std::int32_t) const;
 
 } // namespace gapflow

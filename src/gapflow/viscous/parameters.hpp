@@ -13,6 +13,8 @@ struct ViscousParameters {
     double pair_start = 0.05, pair_end = 0.2;
     /// A cell of less volume has no dissipation along the component, and one none in directions in which its mean square extent is less: round-off.
     double least_volume = 1e-12, least_extent = 1e-9;
+    /// Area that a cell's border may lack, in space: more has no dissipation along the component. Round-off of areas is far below, what corners of solids make above.
+    double open_border = 1e-7;
     /// Of what an element's projection leaves, the derivative along its sides. A third and three times of it change drags of cubic arrays of 8 cells a side by
     /// -0.27 and 0.53 %; with this value they err by -0.3 %, and less on finer grids.
     double side_stiffness = 0.33;

@@ -1,0 +1,280 @@
+// L-stable and of second order: with gamma = 1 - 1/sqrt(2), y1 = y* - gamma dt A y1, y' = y* - (1 - gamma) dt A y1 - gamma dt A y' (R. Alexander, SIAM J. Numer. Anal. 14
+// (1977) 1006-1021).
+#include "gapflow/step/viscosity.hpp"
+
+#include "gapflow/step/covered.hpp"
+#include "gapflow/step/inner_faces.hpp"
+#include "gapflow/step/remainder.hpp"
+#include "gapflow/step/viscous_solve.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace gapflow {
+namespace {
+
+const double stage_share = 1 - std::sqrt(0.5); // gamma
+
+/// Faces without an own edge that have sparse ones have their mean.
+template <int D>
+void take_sparse(const Placed<D>& at, const Remainder<D>& remainder, FaceField<D>& velocity)
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    FaceField<D> sum(grid), weight(grid);
+    for (std::size_t e = 0; e < at.edges.edges.size(); ++e) {
+        const SparseEdge<D>& edge = at.edges.edges[e];
+        if (edge.piece < 0)
+            continue;
+        const FacePiece<D>& piece = at.complex.pieces[edge.piece];
+        const Index<D> f = at.complex.index.index(piece.face);
+        sum(piece.axis, f) += edge.conductance * remainder.edges[e] / face_length(grid, piece.axis, f);
+        weight(piece.axis, f) += edge.conductance;
+    }
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+            if (!(at.coupling.system.conductance(axis, f) > 0) && weight(axis, f) > 0)
+                velocity(axis, f) = sum(axis, f) / weight(axis, f);
+        });
+}
+
+} // namespace
+
+template <int D>
+void fill_covered(const Placed<D>& at, FaceField<D>& velocity)
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    FaceField<D> known(grid);
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+            known(axis, f) = at.coupling.system.conductance(axis, f) > 0 || !is_inner(grid, axis, f);
+        });
+    for (const SparseEdge<D>& edge : at.edges.edges)
+        if (edge.piece >= 0 && edge.conductance > 0)
+            known(at.complex.pieces[edge.piece].axis, at.complex.index.index(at.complex.pieces[edge.piece].face)) = 1;
+    for (int axis = 0; axis < D; ++axis) {
+        std::vector<Index<D>> left;
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+            if (known(axis, f) == 0)
+                left.push_back(f);
+        });
+        while (!left.empty()) {
+            std::vector<Index<D>> next;
+            std::vector<std::pair<Index<D>, double>> found;
+            for (const Index<D>& f : left) {
+                double sum = 0, count = 0;
+                for (int d = 0; d < D; ++d)
+                    for (int end = -1; end < 2; end += 2) {
+                        const Index<D> g = grid.wrapped(Index<D>(f + end * step<D>(d)));
+                        if ((d != axis && !grid.in_domain(g - std::max(0, g[axis] - grid.cells()[axis] + 1) * step<D>(axis))) ||
+                            known(axis, g) == 0)
+                            continue;
+                        sum += velocity(axis, g);
+                        ++count;
+                    }
+                if (count > 0)
+                    found.emplace_back(f, sum / count);
+                else
+                    next.push_back(f);
+            }
+            for (const auto& [f, value] : found) {
+                velocity(axis, f) = value;
+                known(axis, f) = 1;
+            }
+            if (found.empty())
+                break; // no fluid at all
+            left = std::move(next);
+        }
+    }
+}
+
+template <int D>
+Vec<D> mean_flux(const Grid<D>& grid, const FaceField<D>& flux)
+{
+    Vec<D> sum = Vec<D>::Zero();
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
+                          [&](const Index<D>& f) { sum[axis] += flux(axis, f) * face_length(grid, axis, f); });
+    return grid.face_area() / grid.size().prod() * sum;
+}
+
+namespace {
+
+/// The two stages, linear in what they start from and in the load.
+template <int D>
+class ViscousStages {
+public:
+    using Vector = Eigen::VectorXd;
+
+    ViscousStages(const ViscousColumns<D>& columns, const ViscousSolve<D>& solve, const Vector& start, const Vector& load)
+        : columns_(columns), solve_(solve)
+    {
+        const auto one = solve.solve(start, share_ * load);
+        const Vector middle = start + again_ * (one.y - start);
+        const auto two = solve.solve(middle, share_ * load);
+        first_ = one.y;
+        end = two.y;
+        pressure = again_ * one.pressure + two.pressure;
+        change_ = {one.y - start, two.y - middle};
+        iterations = one.iterations + two.iterations;
+    }
+    void add(double factor, const ViscousStages& other)
+    {
+        first_ += factor * other.first_;
+        end += factor * other.end;
+        pressure += factor * other.pressure;
+        for (int k = 0; k < 2; ++k)
+            change_[k] += factor * other.change_[k];
+        iterations += other.iterations;
+    }
+
+    /// Of which the form's derivatives, with the viscosity and the share of the time, are its impulses.
+    Vector mean() const { return again_ * first_ + end; }
+    double dissipated() const { return again_ * first_.dot(solve_.friction(first_)) + end.dot(solve_.friction(end)); }
+    /// 1/2 dt^2 sum_ij (b_i a_ij + b_j a_ji - b_i b_j) k_i k_j, k_i the rates of the stages: the mixed terms vanish.
+    double lost() const
+    {
+        const auto square = [&](Vector x) {
+            x.segment(columns_.edges(), columns_.twist(0) - columns_.edges()).setZero();
+            return x.dot(solve_.inertia(x));
+        };
+        return 0.5 * (square(change_[1]) + again_ * (2 - again_) * square(change_[0]));
+    }
+
+    Vector end, pressure;
+    int iterations = 0;
+
+private:
+    const ViscousColumns<D>& columns_;
+    const ViscousSolve<D>& solve_;
+    double share_ = stage_share,
+           again_ = (1 - stage_share) / stage_share; ///< what of the first stage's change the second one starts with
+    Vector first_;
+    std::array<Vector, 2> change_;
+};
+
+/// Of what acts along edges and on solids in a fluid that a uniform pressure gradient of -1 along an axis drives: also the momentum's derivatives by all columns.
+template <int D>
+Eigen::VectorXd uniform_push(const Placed<D>& at, const ViscousColumns<D>& columns, int axis)
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    FaceField<D> unit_velocity(grid);
+    unit_velocity[axis].fill(1 / at.coupling.density);
+    const Remainder<D> remainder = remainder_of(at, std::move(unit_velocity));
+    const UnknownVector<D> none{CellField<D>(grid), Eigen::VectorXd::Zero(at.coupling.system.nodes)};
+    const std::vector<Twist<D>> rest(at.coupling.solids.size(), Twist<D>::Zero());
+    Eigen::VectorXd push = columns.of_flow(PotentialFlow<D>{rest, none, 0, remainder});
+    const std::vector<Twist<D>> carried = impulse_of_remainder(at, remainder);
+    for (std::size_t s = 0; s < carried.size(); ++s)
+        push.segment<twist_size<D>>(columns.twist(static_cast<int>(s))) = -carried[s];
+    return push;
+}
+
+/// The flow after the stages, and what they do to the solids.
+template <int D>
+void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const ViscousStages<D>& stages, double factor,
+              const Vec<D>& drive, PotentialFlow<D>& flow, ViscousStep<D>& result)
+{
+    constexpr int T = twist_size<D>;
+    const Coupling<D>& coupling = at.coupling;
+    const Grid<D>& grid = *coupling.grid;
+    const Eigen::VectorXd x = columns.to_form(stages.mean());
+    Eigen::VectorXd by_form(x.size());
+    at.viscous->product({x.data(), static_cast<std::size_t>(x.size())},
+                        {by_form.data(), static_cast<std::size_t>(by_form.size())});
+    by_form *= factor;
+    const Eigen::VectorXd slowed = columns.by_fluxes(by_form) / coupling.density; // what the remainder loses along the edges
+    PotentialFlow<D> by{{}, columns.to_unknowns(stages.pressure), 0, {}};
+    for (std::size_t s = 0; s < flow.twists.size(); ++s)
+        by.twists.push_back(stages.end.template segment<T>(columns.twist(static_cast<int>(s))) - flow.twists[s]);
+    FaceField<D> driven(grid);
+    for (int axis = 0; axis < D; ++axis)
+        driven[axis].fill(drive[axis] / coupling.density);
+    const Remainder<D> uniform = remainder_of(at, std::move(driven));
+
+    // On the solids - (B dV + K^T lambda) and friction on their walls and, by k, on the edges.
+    result.impulse = fluid_impulse(at, PotentialFlow<D>{by.twists, by.p, 0, {}}); // B dV - K^T lambda
+    const std::vector<Twist<D>> pressed = impulses(coupling, by.p), pushed = impulse_of_remainder(at, uniform);
+    for (std::size_t s = 0; s < flow.twists.size(); ++s) {
+        Twist<D> rubbed = by_form.template segment<T>(at.viscous->twist_column(static_cast<int>(s), 0));
+        rubbed.template tail<spin_size<D>>() *= grid.dx();
+        result.impulse[s] = -(result.impulse[s] + 2 * pressed[s]) - rubbed - pushed[s];
+    }
+    for (const CarriedFlux<D>& of : at.edges.carried)
+        if (const int edge = of.axis >= 0 ? columns.edge_of_face(of.axis, of.face) : columns.edge_of(of.edge); edge >= 0)
+            result.impulse[of.solid] -= coupling.density * slowed[edge] * of.flux;
+
+    FaceField<D>& w = flow.remainder.faces;
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+            w(axis, f) += uniform.faces(axis, f);
+            if (const int edge = columns.edge_of_face(axis, f); edge >= 0)
+                w(axis, f) -= slowed[edge] / face_length(grid, axis, f);
+        });
+    for (std::size_t e = 0; e < flow.remainder.edges.size(); ++e)
+        flow.remainder.edges[e] += uniform.edges[e] - slowed[columns.edge_of(e)];
+    take_sparse(at, flow.remainder, w);
+    exchange(grid, w);
+    for (long i = 0; i < flow.p.cells.size(); ++i)
+        flow.p.cells.data()[i] -= by.p.cells.data()[i];
+    flow.p.nodes -= by.p.nodes;
+    for (std::size_t s = 0; s < flow.twists.size(); ++s)
+        flow.twists[s] += by.twists[s];
+}
+
+} // namespace
+
+template <int D>
+ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass, const ViscousLoads<D>& loads,
+                             double viscosity, double dt, PotentialFlow<D>& flow)
+{
+    const double factor = viscosity * std::pow(at.coupling.grid->dx(), D - 2) * stage_share * dt,
+                 volume = at.coupling.grid->size().prod();
+    const ViscousColumns<D> columns(at, *at.viscous);
+    const ViscousSolve<D> solve(at, columns, mass, factor);
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(columns.columns());
+    for (std::size_t s = 0; s < loads.impulse.size(); ++s)
+        load.segment<twist_size<D>>(columns.twist(static_cast<int>(s))) = loads.impulse[s];
+    ViscousStep<D> result;
+    result.gradient = loads.gradient;
+    std::vector<std::pair<int, Eigen::VectorXd>> kept;
+    for (int axis = 0; axis < D; ++axis)
+        if (loads.mean_velocity[axis])
+            kept.emplace_back(axis, uniform_push(at, columns, axis));
+        else if (loads.gradient[axis] != 0)
+            load -= dt * loads.gradient[axis] * uniform_push(at, columns, axis);
+    ViscousStages<D> stages(columns, solve, columns.of_flow(flow), load);
+    if (!kept.empty()) { // the gradient with which the mean velocities are those
+        const int n = static_cast<int>(kept.size());
+        std::vector<ViscousStages<D>> answers;
+        Eigen::MatrixXd response(n, n);
+        Eigen::VectorXd missing(n);
+        for (int k = 0; k < n; ++k) {
+            answers.emplace_back(columns, solve, Eigen::VectorXd::Zero(columns.columns()), kept[k].second);
+            missing[k] = *loads.mean_velocity[kept[k].first] * volume - kept[k].second.dot(stages.end);
+        }
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < n; ++k)
+                response(i, k) = kept[i].second.dot(answers[k].end);
+        const Eigen::VectorXd impulse = response.ldlt().solve(missing);
+        for (int k = 0; k < n; ++k) {
+            stages.add(impulse[k], answers[k]);
+            result.gradient[kept[k].first] = -impulse[k] / dt;
+        }
+    }
+    result.iterations = stages.iterations;
+    result.dissipated = stages.dissipated();
+    result.lost = stages.lost();
+    take_end(at, columns, stages, factor, Vec<D>(-dt * result.gradient), flow, result);
+    return result;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void fill_covered<D>(const Placed<D>&, FaceField<D>&);                                                            \
+    template ViscousStep<D> add_viscosity<D>(const Placed<D>&, const std::vector<TwistMatrix<D>>&, const ViscousLoads<D>&,     \
+                                             double, double, PotentialFlow<D>&);                                               \
+    template Vec<D> mean_flux<D>(const Grid<D>&, const FaceField<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

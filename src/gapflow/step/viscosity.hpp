@@ -1,0 +1,43 @@
+// Viscosity in the step on parts (theory, "Viscosity on parts"): after the ideal step, implicit, with the bodies and what acts on them.
+#pragma once
+
+#include "gapflow/step/instant.hpp"
+
+#include <array>
+#include <optional>
+
+namespace gapflow {
+
+/// What acts beside viscosity in its step.
+template <int D>
+struct ViscousLoads {
+    std::vector<Twist<D>> impulse;    ///< on the free bodies; empty: none
+    Vec<D> gradient = Vec<D>::Zero(); ///< mean pressure gradient
+    std::array<std::optional<double>, D>
+        mean_velocity{}; ///< of fluid and solids, along axes where it is kept: the gradient there follows
+};
+
+template <int D>
+struct ViscousStep {
+    std::vector<Twist<D>> impulse; ///< of the fluid on every solid, and of the mean pressure gradient
+    Vec<D> gradient = Vec<D>::Zero();
+    double dissipated = 0; ///< energy
+    double lost = 0;       ///< by the integrator besides
+    int iterations = 0;    ///< of its solves
+};
+
+/// From the flow at a step's end without viscosity to that with it, twists included. The flow's gauge is kept.
+/// `mass`: of all solids, their own. Throws ComputationError where the solve does not converge.
+template <int D>
+ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass, const ViscousLoads<D>& loads,
+                             double viscosity, double dt, PotentialFlow<D>& flow);
+
+/// Mean velocity of fluid and solids over the domain, of the flow's fluxes.
+template <int D>
+Vec<D> mean_flux(const Grid<D>& grid, const FaceField<D>& flux);
+
+/// What solids cover of the remainder's faces takes the mean of that beside it, from face to face: what a body uncovers moves as the fluid around it.
+template <int D>
+void fill_covered(const Placed<D>& at, FaceField<D>& velocity);
+
+} // namespace gapflow

@@ -1,0 +1,255 @@
+#include "gapflow/step/viscous_columns.hpp"
+
+#include "gapflow/step/inner_faces.hpp"
+#include "gapflow/step/remainder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace gapflow {
+
+template <int D>
+ViscousColumns<D>::ViscousColumns(const Placed<D>& at, const ViscousForm<D>& form)
+    : at_(at), form_(form), cells_(at.coupling.grid->cells().template cast<long>().prod())
+{
+    find_edges();
+    find_faces();
+    fill_outflow();
+    fill_form();
+}
+
+template <int D>
+void ViscousColumns<D>::find_edges()
+{
+    const Grid<D>& grid = *at_.coupling.grid;
+    const CoupledSystem<D>& system = at_.coupling.system;
+    std::vector<Eigen::Triplet<double>> incidence;
+    for (int axis = 0; axis < D; ++axis) {
+        face_[axis].assign(number(grid.cells()) + 1, -1);
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+            const double g = system.conductance(axis, f);
+            if (!(g > 0))
+                return;
+            const int edge = edges();
+            face_[axis][number(f)] = edge;
+            conductance_.push_back(g);
+            if (const Index<D> low = grid.wrapped(Index<D>(f - step<D>(axis))); grid.in_domain(low))
+                incidence.emplace_back(static_cast<int>(grid.key(low)), edge, 1);
+            if (const Index<D> high = grid.wrapped(f); grid.in_domain(high))
+                incidence.emplace_back(static_cast<int>(grid.key(high)), edge, -1);
+        });
+        if (grid.periodic(axis)) { // the last face is the first one
+            Index<D> low = grid.low(), high = grid.high();
+            low[axis] = high[axis];
+            high[axis] = low[axis] + 1;
+            for_each_index<D>(low, high,
+                              [&](const Index<D>& f) { face_[axis][number(f)] = face_[axis][number(grid.wrapped(f))]; });
+        }
+    }
+    first_sparse_ = edges();
+    for (const SparseEdge<D>& edge : at_.edges.edges) {
+        for (const auto& row : at_.edges.rows_of(edge))
+            incidence.emplace_back(static_cast<int>(row.node >= 0 ? cells_ + row.node : grid.key(grid.wrapped(row.cell))),
+                                   edges(), row.weight);
+        conductance_.push_back(edge.conductance);
+    }
+    incidence_.resize(unknowns(), edges());
+    incidence_.setFromTriplets(incidence.begin(), incidence.end());
+    carried_.resize(edges());
+    for (const CarriedFlux<D>& of : at_.edges.carried)
+        if (const int edge = of.axis >= 0 ? edge_of_face(of.axis, of.face) : edge_of(of.edge); edge >= 0)
+            carried_[edge].emplace_back(of.solid, of.flux);
+}
+
+/// Which edges pass each face of the form.
+template <int D>
+void ViscousColumns<D>::find_faces()
+{
+    const Complex<D>& complex = at_.complex;
+    const Grid<D>& grid = *at_.coupling.grid;
+    const double face_area = grid.face_area();
+    std::map<std::pair<int, std::int32_t>, std::vector<int>> at_face; // form faces on a face of the grid
+    for (int k = 0; k < form_.velocities(); ++k)
+        at_face[{form_.faces[k].axis, form_.faces[k].face}].push_back(k);
+    through_.resize(form_.velocities());
+    const auto add = [&](int face, int edge, double share) {
+        through_[face].push_back({edge, share / (form_.faces[face].area * face_area)});
+    };
+    // The face of the form that a piece is, or a part of.
+    const auto face_of = [&](const FacePiece<D>& piece) {
+        int best = -1;
+        double least = 0;
+        const auto found = at_face.find({piece.axis, piece.face});
+        if (found == at_face.end())
+            return best;
+        for (const int k : found->second) {
+            const FormFace<D>& face = form_.faces[k];
+            if (face.low != form_.cells.of(piece.low) || face.high != form_.cells.of(piece.high))
+                continue;
+            const double far = (face.centroid - piece.centroid).norm();
+            if (best < 0 || far < least) {
+                best = k;
+                least = far;
+            }
+        }
+        return best;
+    };
+    std::map<std::pair<int, std::int32_t>, double> main_area;
+    for (const FacePiece<D>& piece : complex.pieces)
+        if (complex.joins_main(piece))
+            main_area[{piece.axis, piece.face}] += piece.area;
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
+        const FacePiece<D>& piece = complex.pieces[k];
+        const int face = face_of(piece);
+        if (face < 0 || !(piece.area > 0))
+            continue;
+        if (complex.joins_main(piece)) {
+            if (const int edge = edge_of_face(piece.axis, complex.index.index(piece.face)); edge >= 0)
+                add(face, edge, piece.area / main_area[{piece.axis, piece.face}]);
+        } else if (const std::int32_t edge = at_.edges.edge_of_piece[k]; edge >= 0)
+            add(face, edge_of(edge), 1);
+    }
+    for (int k = 0; k < form_.velocities(); ++k)
+        if (const FormFace<D>& face = form_.faces[k]; face.whole)
+            if (const int edge = edge_of_face(face.axis, complex.index.index(face.face)); edge >= 0)
+                add(k, edge, 1);
+    for (std::size_t e = 0; e < at_.edges.edges.size(); ++e)
+        if (at_.edges.edges[e].mouth >= 0)
+            for (const FaceAlong<D>& along : faces_along(at_, at_.edges.edges[e])) {
+                const auto found = at_face.find({along.axis, complex.index(complex.index.wrapped(along.face))});
+                if (found == at_face.end())
+                    continue;
+                double all = 0;
+                for (const int k : found->second)
+                    all += form_.faces[k].area;
+                for (const int k : found->second)
+                    add(k, edge_of(e), along.length / face_length(grid, along.axis, along.face) * form_.faces[k].area / all);
+            }
+}
+
+template <int D>
+void ViscousColumns<D>::fill_outflow()
+{
+    const Grid<D>& grid = *at_.coupling.grid;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int edge = 0; edge < edges(); ++edge)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(incidence_, edge); entry; ++entry)
+            entries.emplace_back(static_cast<int>(entry.row()), edge, std::sqrt(conductance_[edge]) * entry.value());
+    const auto add = [&](long row, int solid, const Twist<D>& flux) {
+        for (int k = 0; k < twist_size<D>; ++k)
+            entries.emplace_back(static_cast<int>(row), twist(solid, k), flux[k]);
+    };
+    for (const auto& entry : at_.coupling.cell_flux)
+        add(grid.key(entry.row), entry.body, entry.flux);
+    for (const auto& entry : at_.coupling.node_flux)
+        add(cells_ + entry.row, entry.body, entry.flux);
+    outflow_.resize(unknowns(), columns());
+    outflow_.setFromTriplets(entries.begin(), entries.end());
+}
+
+template <int D>
+template <class F>
+void ViscousColumns<D>::for_each_term(int form_column, const F& f) const
+{
+    if (form_column < form_.velocities()) {
+        for (const Through& of : through_[form_column]) {
+            f(of.edge, of.factor * std::sqrt(conductance_[of.edge]));
+            for (const auto& [solid, flux] : carried_[of.edge])
+                for (int k = 0; k < twist_size<D>; ++k)
+                    f(twist(solid, k), of.factor * flux[k]);
+        }
+    } else if (form_column < form_.unknowns())
+        f(trace(form_column - form_.velocities()), 1.0);
+    else {
+        const int k = (form_column - form_.unknowns()) % twist_size<D>;
+        f(twist((form_column - form_.unknowns()) / twist_size<D>, k), k < D ? 1.0 : at_.coupling.grid->dx());
+    }
+}
+
+template <int D>
+void ViscousColumns<D>::fill_form()
+{
+    const auto fill = [&](const SquareSum& sum, bool roots, Rows& to) {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (std::int64_t row = 0; row < sum.rows(); ++row)
+            for (std::int64_t t = sum.end[row]; t < sum.end[row + 1]; ++t)
+                for_each_term(sum.column[t], [&](int column, double factor) {
+                    entries.emplace_back(static_cast<int>(row), column,
+                                         (roots ? std::sqrt(sum.weight[row]) : 1.0) * factor * sum.factor[t]);
+                });
+        to.resize(static_cast<int>(sum.rows()), columns());
+        to.setFromTriplets(entries.begin(), entries.end());
+    };
+    fill(form_.squares, true, squares_);
+    Rows rotation;
+    fill(form_.rotation, false, rotation);
+    Eigen::VectorXd weight(form_.rotation.rows());
+    for (Eigen::Index k = 0; k < weight.size(); ++k)
+        weight[k] = form_.rotation.weight[k];
+    rotation_ = Rows(rotation.transpose()) * Rows(weight.asDiagonal() * rotation);
+}
+
+template <int D>
+Eigen::VectorXd ViscousColumns<D>::to_form(const Vector& x) const
+{
+    Vector y = Vector::Zero(form_.columns());
+    for (int column = 0; column < form_.columns(); ++column)
+        for_each_term(column, [&](int own, double factor) { y[column] += factor * x[own]; });
+    return y;
+}
+
+template <int D>
+Eigen::VectorXd ViscousColumns<D>::by_fluxes(const Vector& by_form) const
+{
+    Vector y = Vector::Zero(edges());
+    for (int face = 0; face < form_.velocities(); ++face)
+        for (const Through& of : through_[face])
+            y[of.edge] += of.factor * by_form[face];
+    return y;
+}
+
+template <int D>
+Eigen::VectorXd ViscousColumns<D>::of_flow(const PotentialFlow<D>& flow) const
+{
+    const Grid<D>& grid = *at_.coupling.grid;
+    const double density = at_.coupling.density;
+    const Vector drop = drops(of_unknowns(flow.p));
+    Vector x = Vector::Zero(columns());
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+            if (const int edge = edge_of_face(axis, f); edge >= 0)
+                x[edge] = std::sqrt(conductance_[edge]) *
+                          (drop[edge] + density * face_length(grid, axis, f) * flow.remainder.faces(axis, f));
+        });
+    for (std::size_t e = 0; e < flow.remainder.edges.size(); ++e)
+        x[edge_of(e)] = std::sqrt(conductance_[edge_of(e)]) * (drop[edge_of(e)] + density * flow.remainder.edges[e]);
+    for (std::size_t s = 0; s < flow.twists.size(); ++s)
+        x.segment<twist_size<D>>(twist(static_cast<int>(s))) = flow.twists[s];
+    return x;
+}
+
+template <int D>
+UnknownVector<D> ViscousColumns<D>::to_unknowns(const Vector& rows) const
+{
+    const Grid<D>& grid = *at_.coupling.grid;
+    UnknownVector<D> p{CellField<D>(grid), rows.tail(at_.coupling.system.nodes)};
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { p.cells(c) = rows[static_cast<int>(grid.key(c))]; });
+    return p;
+}
+
+template <int D>
+Eigen::VectorXd ViscousColumns<D>::of_unknowns(const UnknownVector<D>& p) const
+{
+    const Grid<D>& grid = *at_.coupling.grid;
+    Vector rows = Vector::Zero(unknowns());
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { rows[static_cast<int>(grid.key(c))] = p.cells(c); });
+    rows.tail(at_.coupling.system.nodes) = p.nodes;
+    return rows;
+}
+
+template class ViscousColumns<2>;
+template class ViscousColumns<3>;
+
+} // namespace gapflow

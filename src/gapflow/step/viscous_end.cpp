@@ -1,0 +1,52 @@
+#include "gapflow/step/viscous_end.hpp"
+
+#include "gapflow/body/forces.hpp"
+#include "gapflow/step/viscosity.hpp"
+
+namespace gapflow {
+
+template <int D>
+std::vector<Twist<D>> take_loads(const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
+                                 double density, double dt, std::vector<Twist<D>>& forced)
+{
+    std::vector<Twist<D>> loads(forced.size(), Twist<D>::Zero());
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].motion != Motion::free || bodies[b].spring || bodies[b].water)
+            continue; // of a spring the present twist is a part
+        RigidBody<D> coasting = bodies[b];
+        coasting.force.setZero();
+        coasting.torque.setZero();
+        const Twist<D> without = forced_twist<D>(coasting, Vec<D>::Zero(), density, dt);
+        loads[b] = mass[b] * (forced[b] - without);
+        forced[b] = without;
+    }
+    return loads;
+}
+
+template <int D>
+void with_viscosity(const Model<D>& model, const std::vector<TwistMatrix<D>>& mass, const std::vector<Twist<D>>& loads,
+                    const Step& step, State<D>& state, StepReport& report, Instant<D>& now)
+{
+    ViscousLoads<D> acting{loads};
+    if (model.scene.pressure_gradient)
+        acting.gradient = to_vec<D>(*model.scene.pressure_gradient);
+    for (int axis = 0; axis < D; ++axis)
+        acting.mean_velocity[axis] = model.kept_velocity(axis);
+    const ViscousStep<D> viscous = add_viscosity(*now.placed, mass, acting, model.scene.viscosity, step.dt, now.flow);
+    state.drive.gradient = viscous.gradient;
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        state.wrenches[b] += viscous.impulse[b] / step.dt;
+    report.viscous_iterations = viscous.iterations;
+    report.dissipation_grid = viscous.dissipated / step.dt;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::vector<Twist<D>> take_loads<D>(const std::vector<RigidBody<D>>&, const std::vector<TwistMatrix<D>>&, double, \
+                                                 double, std::vector<Twist<D>>&);                                              \
+    template void with_viscosity<D>(const Model<D>&, const std::vector<TwistMatrix<D>>&, const std::vector<Twist<D>>&,         \
+                                    const Step&, State<D>&, StepReport&, Instant<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,139 @@
+#include "gapflow/step/viscous_projection.hpp"
+
+#include "gapflow/core/error.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace gapflow {
+namespace {
+
+constexpr double projection_tolerance = 1e-9; // of each residual
+constexpr double least_body = 1e-3; // of a mode of the bodies' block, over the largest: D may take all of a light body's
+
+/// Positive, whatever light bodies lose to the volume that planes see of them: only a preconditioner.
+Eigen::MatrixXd positive(const Eigen::MatrixXd& block)
+{
+    if (block.rows() == 0)
+        return block;
+    const Eigen::VectorXd scale = block.diagonal().cwiseAbs().cwiseMax(1e-300).cwiseSqrt();
+    const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * block * scale.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled);
+    const Eigen::VectorXd values = modes.eigenvalues().cwiseMax(least_body * modes.eigenvalues().cwiseAbs().maxCoeff());
+    return scale.asDiagonal() * modes.eigenvectors() * values.asDiagonal() * modes.eigenvectors().transpose() *
+           scale.asDiagonal();
+}
+
+} // namespace
+
+template <int D>
+ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Vector& diagonal,
+                                        const Eigen::MatrixXd& bodies)
+    : columns_(columns), diagonal_(diagonal), coupling_(std::make_unique<Coupling<D>>(at.coupling))
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    const Eigen::MatrixXd block = positive(bodies);
+    bodies_.compute(block);
+    Coupling<D>& coupling = *coupling_;
+    CoupledSystem<D>& system = coupling.system;
+    coupling.gauge_cells.clear();
+    coupling.gauge_nodes.clear();
+    const auto less = [&](int edge) { return columns.conductance(edge) / diagonal[edge]; };
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), grid.high() + step<D>(axis), [&](const Index<D>& f) {
+            if (const int edge = columns.edge_of_face(axis, f); edge >= 0)
+                system.conductance(axis, f) = less(edge);
+        });
+    system.links.clear();
+    std::vector<Eigen::Triplet<double>> film;
+    for (std::size_t e = 0; e < at.edges.edges.size(); ++e) {
+        const auto rows = at.edges.rows_of(at.edges.edges[e]);
+        const double g = less(columns.edge_of(e));
+        if (!(g > 0) || rows.empty())
+            continue;
+        bool nodes = rows.size() <= 2;
+        for (const auto& row : rows)
+            nodes = nodes && row.node >= 0;
+        if (nodes) {
+            for (const auto& a : rows)
+                for (const auto& b : rows)
+                    film.emplace_back(a.node, b.node, g * a.weight * b.weight);
+            continue;
+        }
+        Link link{g, {}, {}};
+        for (const auto& row : rows)
+            if (row.node >= 0)
+                link.nodes.emplace_back(row.node, row.weight);
+            else
+                link.cells.emplace_back(grid.key(grid.wrapped(row.cell)), row.weight);
+        system.links.push_back(std::move(link));
+    }
+    system.film.setZero();
+    system.film.setFromTriplets(film.begin(), film.end());
+    system.cell_flux.clear();
+    system.node_flux.clear();
+    const auto admitted = [&](int solid, const Twist<D>& flux) { return Twist<D>(coupling.solids[solid].admissible * flux); };
+    for (const auto& entry : coupling.cell_flux)
+        if (const int b = coupling.free_body[entry.body]; b >= 0)
+            system.cell_flux.push_back({entry.row, b, admitted(entry.body, entry.flux)});
+    for (const auto& entry : coupling.node_flux)
+        if (const int b = coupling.free_body[entry.body]; b >= 0)
+            system.node_flux.push_back({entry.row, b, admitted(entry.body, entry.flux)});
+    system.mass = block.sparseView();
+    system.contact.resize(0, system.mass.rows());
+    system.contact_resistance.resize(0);
+    system.response = BodyResponse(system.mass, system.contact, system.contact_resistance);
+    find_components(coupling);
+    SolverOptions options;
+    options.tolerance = projection_tolerance;
+    solver_ = std::make_unique<CoupledSolver<D>>(system, options);
+    // Columns of the unknowns: edges and traces, then the free bodies' twists.
+    std::vector<Eigen::Triplet<double>> entries;
+    const int fluid = columns.twist(0);
+    const auto& out = columns.outflow();
+    for (int row = 0; row < out.outerSize(); ++row)
+        for (typename ViscousColumns<D>::Rows::InnerIterator entry(out, row); entry; ++entry)
+            if (entry.col() < fluid)
+                entries.emplace_back(row, static_cast<int>(entry.col()), entry.value());
+    const auto add = [&](long row, int b, const Twist<D>& flux) {
+        for (int k = 0; k < twist_size<D>; ++k)
+            entries.emplace_back(static_cast<int>(row), fluid + twist_size<D> * b + k, flux[k]);
+    };
+    for (const auto& entry : system.cell_flux)
+        add(grid.key(entry.row), entry.body, entry.flux);
+    const long cells = columns.unknowns() - system.nodes;
+    for (const auto& entry : system.node_flux)
+        add(cells + entry.row, entry.body, entry.flux);
+    outflow_.resize(columns.unknowns(), fluid + twist_size<D> * system.bodies);
+    outflow_.setFromTriplets(entries.begin(), entries.end());
+}
+
+template <int D>
+Eigen::VectorXd ViscousProjection<D>::weighted(const Vector& residual) const
+{
+    Vector z(residual.size());
+    z.head(diagonal_.size()) = residual.head(diagonal_.size()).cwiseQuotient(diagonal_);
+    if (const Eigen::Index n = residual.size() - diagonal_.size(); n > 0)
+        z.tail(n) = bodies_.solve(residual.tail(n));
+    return z;
+}
+
+template <int D>
+Eigen::VectorXd ViscousProjection<D>::project(Vector& residual, Vector& z) const
+{
+    z = weighted(residual);
+    UnknownVector<D> p = columns_.to_unknowns(Vector::Zero(columns_.unknowns()));
+    const SolveReport report = solver_->solve(p, columns_.to_unknowns(outflow_ * z));
+    if (!report.converged)
+        throw ComputationError("the projection of the viscous solve did not converge: " + report.message);
+    const Vector pressure = columns_.of_unknowns(p);
+    residual -= outflow_.transpose() * pressure;
+    z = weighted(residual);
+    return pressure;
+}
+
+template class ViscousProjection<2>;
+template class ViscousProjection<3>;
+
+} // namespace gapflow

@@ -1,0 +1,35 @@
+// Velocities without outflow, for the viscous solve: of a residual r the least of 1/2 z . G z - r . z among z with D q + K V = 0. G is the diagonal of the
+// system for edges and traces, and the bodies' own block. The multipliers are pressures of a coupled system with the conductances that this leaves.
+#pragma once
+
+#include "gapflow/solver/solver.hpp"
+#include "gapflow/step/viscous_columns.hpp"
+
+#include <memory>
+
+namespace gapflow {
+
+template <int D>
+class ViscousProjection {
+public:
+    using Vector = Eigen::VectorXd;
+
+    /// `diagonal`: of edges and traces; `bodies`: the block of the free bodies' admissible twists.
+    ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Vector& diagonal,
+                      const Eigen::MatrixXd& bodies);
+
+    /// z, and takes the pressure's part out of the residual of edges, traces and free twists. Returns the pressure.
+    Vector project(Vector& residual, Vector& z) const;
+
+private:
+    Vector weighted(const Vector& residual) const; ///< G^-1 r
+
+    const ViscousColumns<D>& columns_;
+    Vector diagonal_;
+    Eigen::LDLT<Eigen::MatrixXd> bodies_;
+    typename ViscousColumns<D>::Rows outflow_; ///< rows x unknowns
+    std::unique_ptr<Coupling<D>> coupling_;
+    std::unique_ptr<CoupledSolver<D>> solver_;
+};
+
+} // namespace gapflow

@@ -1,0 +1,341 @@
+// Viscosity on parts: the energy law of its stage, what it leaves alone, exact flows, order in time.
+#include "unit/step/scenes.hpp"
+
+#include "gapflow/step/advance.hpp"
+#include "gapflow/step/remainder.hpp"
+#include "gapflow/step/start.hpp"
+#include "gapflow/step/viscosity.hpp"
+#include "gapflow/stepping/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <random>
+
+namespace gapflow {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+template <int D>
+using Velocity = std::function<Vec<D>(const Vec<D>&)>;
+
+template <int D>
+FaceField<D> sampled(const Grid<D>& grid, const Velocity<D>& velocity)
+{
+    FaceField<D> u(grid);
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
+                          [&](const Index<D>& f) { u(axis, f) = velocity(grid.face_centre(axis, f))[axis]; });
+    return u;
+}
+
+template <int D>
+Vec<D> eddy(const Vec<D>& x)
+{
+    Vec<D> u = Vec<D>::Zero();
+    u[0] = std::sin(pi * x[0]) * std::cos(pi * x[1]);
+    u[1] = -std::cos(pi * x[0]) * std::sin(pi * x[1]);
+    return u;
+}
+
+/// Bodies in a flow, before a viscous stage.
+template <int D>
+struct Moment {
+    Model<D> model;
+    std::vector<TwistMatrix<D>> mass;
+    Instant<D> now;
+
+    Moment(const Scene& scene, const std::vector<Twist<D>>& twists, const Velocity<D>& velocity)
+        : model(scene, Communicator(), Task::motion), mass(model.masses(model.bodies, 0.0))
+    {
+        SolverOptions exact;
+        exact.tolerance = 1e-13;
+        now.placed = placed(model, model.bodies, mass, true);
+        now.flow = flow_of_twists(*now.placed, twists, exact, remainder_of(*now.placed, sampled<D>(model.grid, velocity)));
+        find_forces(now);
+    }
+    double energy()
+    {
+        find_forces(now);
+        double sum = now.energy;
+        for (std::size_t b = 0; b < model.bodies.size(); ++b)
+            if (model.bodies[b].motion == Motion::free)
+                sum += 0.5 * now.flow.twists[b].dot(mass[b] * now.flow.twists[b]);
+        return sum;
+    }
+    ViscousStep<D> stage(double viscosity, double dt)
+    {
+        return add_viscosity(*now.placed, mass, ViscousLoads<D>{}, viscosity, dt, now.flow);
+    }
+};
+
+template <int D>
+Scene viscous_box(int cells, SideScene::Kind sides = SideScene::Kind::wall)
+{
+    Scene scene = box_of_fluid(D, cells, sides);
+    scene.viscosity = 1; // stages are given theirs
+    return scene;
+}
+
+template <int D>
+std::vector<Twist<D>> random_twists(const Model<D>& model, int seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> number(-1, 1);
+    std::vector<Twist<D>> V = model.twists(model.bodies);
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+        for (int k = 0; k < twist_size<D>; ++k)
+            V[b][k] = number(random);
+    return V;
+}
+
+/// A stage takes from the energy what it dissipates and what its integrator loses, whatever the viscosity: rates of nu dt/dx^2.
+template <int D>
+void check_energy(const Scene& scene, const std::vector<double>& rates)
+{
+    double last = 0;
+    for (const double rate : rates) {
+        Moment<D> moment(scene, random_twists<D>(Model<D>(scene, Communicator(), Task::motion), 3), eddy<D>);
+        const double before = moment.energy(), dx = scene.spacing();
+        const ViscousStep<D> step = moment.stage(rate * dx * dx, 1);
+        const double after = moment.energy();
+        EXPECT_NEAR((after - before + step.dissipated + step.lost) / before, 0, 1e-9) << rate;
+        EXPECT_GT(step.dissipated, last) << rate; // more, as it is larger
+        EXPECT_LT(after, before) << rate;
+        if (rate <= 1e-5) {
+            EXPECT_LT(before - after, 100 * rate * before) << rate; // towards ideal fluid
+        }
+        last = rate < 0.1 ? step.dissipated : 0;
+    }
+}
+
+TEST(Viscosity, TakesWhatItDissipates2D)
+{
+    Scene scene = viscous_box<2>(24);
+    scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {0.31, 0.43, 0}),
+                    body("box", BodyScene::ShapeKind::box, {0.63, 0.5, 0}),
+                    body("plate", BodyScene::ShapeKind::box, {0.45, 0.78, 0})};
+    scene.bodies[0].radius = 0.13;
+    scene.bodies[1].size = {0.3, 0.17, 0};
+    scene.bodies[1].angle = 0.4;
+    scene.bodies[1].density = 0.01;
+    scene.bodies[2].size = {0.4, 0.012, 0}; // thinner than a cell
+    scene.bodies[2].angle = 0.07;
+    check_energy<2>(scene, {1e-7, 1e-5, 1e-3, 0.1, 1, 10, 1e3});
+}
+
+TEST(Viscosity, TakesWhatItDissipates3D)
+{
+    Scene scene = viscous_box<3>(8);
+    scene.bodies = {body("ball", BodyScene::ShapeKind::ball, {0.47, 0.43, 0.52})};
+    scene.bodies[0].radius = 0.23;
+    check_energy<3>(scene, {1e-5, 1, 1e3});
+}
+
+// The impulse on the solids is what the bodies' momenta gain; a fixed one feels what it would.
+TEST(Viscosity, GivesTheImpulseToTheSolids)
+{
+    Scene scene = viscous_box<2>(24);
+    scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {0.31, 0.43, 0}),
+                    body("fixed", BodyScene::ShapeKind::box, {0.63, 0.5, 0})};
+    scene.bodies[0].radius = 0.13;
+    scene.bodies[1].size = {0.3, 0.17, 0};
+    scene.bodies[1].motion = BodyScene::Motion::fixed;
+    std::vector<Twist<2>> V = random_twists<2>(Model<2>(scene, Communicator(), Task::motion), 5);
+    V[1].setZero();
+    Moment<2> moment(scene, V, eddy<2>);
+    const ViscousStep<2> step = moment.stage(1e-3, 0.3);
+    const Twist<2> gained = moment.mass[0] * (moment.now.flow.twists[0] - V[0]);
+    EXPECT_LT((step.impulse[0] - gained).norm(), 1e-10 * gained.norm());
+    EXPECT_GT(step.impulse[1].norm(), 1e-3 * gained.norm());
+    EXPECT_EQ(moment.now.flow.twists[1], V[1]);
+}
+
+template <int D>
+void check_uniform_motion()
+{
+    Scene scene = viscous_box<D>(D == 2 ? 16 : 6, SideScene::Kind::periodic);
+    scene.bodies = {body("box", BodyScene::ShapeKind::box, {0.41, 0.33, 0.47})};
+    scene.bodies[0].size = {0.4, 0.35, D == 3 ? 0.45 : 0.0};
+    scene.bodies[0].angle = D == 2 ? 0.4 : 0;
+    const Vec<D> U = Vec<D>::LinSpaced(0.7, -0.4);
+    std::vector<Twist<D>> V(1, stream_twist<D>(U));
+    Moment<D> moment(scene, V, [&](const Vec<D>&) { return U; });
+    const double energy = moment.energy();
+    const ViscousStep<D> step = moment.stage(1, 1);
+    EXPECT_LT(step.dissipated, 1e-12 * energy);
+    EXPECT_LT((moment.now.flow.twists[0] - V[0]).norm(), 1e-8);
+    EXPECT_NEAR(moment.energy() / energy, 1, 1e-9);
+}
+
+TEST(Viscosity, UniformMotionDissipatesNothing2D)
+{
+    check_uniform_motion<2>();
+}
+
+TEST(Viscosity, UniformMotionDissipatesNothing3D)
+{
+    check_uniform_motion<3>();
+}
+
+/// A run of start_on_parts() and advance().
+template <int D>
+struct ViscousRun {
+    Model<D> model;
+    State<D> state;
+    StageTimers timers;
+    StepReport report;
+    Instant<D> now;
+
+    explicit ViscousRun(const Scene& scene, const Velocity<D>& velocity = nullptr)
+        : model(scene, Communicator(), Task::motion), state(model)
+    {
+        const FaceField<D> start = velocity ? sampled<D>(model.grid, velocity) : FaceField<D>();
+        now = start_on_parts(model, state, report, timers, velocity ? &start : nullptr);
+    }
+    void step(double dt)
+    {
+        now = advance(model, now, Step{state.steps + 1, state.time, dt, state.dt, state.time + dt}, state, report, timers);
+    }
+    double energy() const
+    {
+        double sum = now.energy;
+        for (const RigidBody<D>& body : state.bodies)
+            sum += kinetic_energy(body);
+        return sum;
+    }
+};
+
+// Between walls that slide the flow becomes linear shear, exactly.
+template <int D>
+void check_couette()
+{
+    Scene scene = box_of_fluid(D, D == 2 ? 6 : 4, SideScene::Kind::periodic);
+    scene.tolerance = 1e-12;
+    scene.viscosity = 1;
+    scene.sides[2].kind = scene.sides[3].kind = SideScene::Kind::wall;
+    scene.sides[2].velocity = {-0.3, 0, 0};
+    scene.sides[3].velocity = {0.7, 0, 0};
+    ViscousRun<D> run(scene);
+    for (int k = 0; k < 10; ++k)
+        run.step(0.4);
+    double worst = 0;
+    for_each_index<D>(run.model.grid.low(), run.model.grid.high(), [&](const Index<D>& f) {
+        const double y = run.model.grid.face_centre(0, f)[1];
+        worst = std::max(worst, std::abs(run.state.velocity.grid(0, f) - (y - 0.3)));
+    });
+    EXPECT_LT(worst, 1e-8);
+    EXPECT_NEAR(run.report.dissipation_grid, 1, 1e-8);
+}
+
+TEST(Viscosity, ShearBetweenSlidingWallsIsLinear2D)
+{
+    check_couette<2>();
+}
+
+TEST(Viscosity, ShearBetweenSlidingWallsIsLinear3D)
+{
+    check_couette<3>();
+}
+
+// On both sides of a plate thinner than a cell, of which a face of the grid may have a piece on either, the flow is sheared by itself.
+TEST(Viscosity, ShearOnBothSidesOfAThinPlate)
+{
+    Scene scene = box_of_fluid(2, 6, SideScene::Kind::periodic);
+    scene.tolerance = 1e-12;
+    scene.viscosity = 1;
+    scene.sides[2].kind = scene.sides[3].kind = SideScene::Kind::wall;
+    scene.sides[2].velocity = {-0.3, 0, 0};
+    scene.sides[3].velocity = {0.7, 0, 0};
+    scene.bodies = {body("plate", BodyScene::ShapeKind::box, {0.5, 0.43, 0})};
+    scene.bodies[0].motion = BodyScene::Motion::fixed;
+    scene.bodies[0].size = {3, 0.02, 0};
+    ViscousRun<2> run(scene);
+    for (int k = 0; k < 14; ++k)
+        run.step(0.1);
+    EXPECT_NEAR(run.report.dissipation_grid, 0.3 * 0.3 / 0.42 + 0.7 * 0.7 / 0.56, 1e-6);
+    EXPECT_NEAR(run.state.wrenches[0][0], 0.7 / 0.56 - 0.3 / 0.42, 1e-6);
+}
+
+// A mean pressure gradient, and the one that keeps a mean velocity: laminar flow between walls.
+TEST(Viscosity, DrivenChannels)
+{
+    for (const bool kept : {false, true}) {
+        Scene scene = box_of_fluid(2, 6, SideScene::Kind::periodic);
+        scene.tolerance = 1e-12;
+        scene.viscosity = 1;
+        scene.sides[2].kind = scene.sides[3].kind = SideScene::Kind::wall;
+        if (kept)
+            scene.mean_velocity = Triple{1, 0, 0};
+        else
+            scene.pressure_gradient = Triple{-12, 0, 0};
+        Simulation<2> run(scene, Communicator());
+        StepReport last;
+        while (run.time() < 3)
+            last = run.step(3);
+        EXPECT_NEAR(last.mean_velocity_x, 1, 1e-8);
+        EXPECT_NEAR(last.pressure_gradient_x, -12, 1e-7);
+    }
+}
+
+TEST(Viscosity, RunsGoOnFromTheirState)
+{
+    Scene scene = box_of_fluid(2, 16, SideScene::Kind::wall);
+    scene.viscosity = 0.01;
+    scene.gravity = {0, -1, 0};
+    scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {0.4, 0.43, 0}, {0.3, 0.2, 0}),
+                    body("plate", BodyScene::ShapeKind::box, {0.6, 0.71, 0})};
+    scene.bodies[0].density = 2;
+    scene.bodies[1].size = {0.4, 0.02, 0};
+    scene.bodies[1].angle = 0.2;
+    expect_to_go_on<2>(scene);
+}
+
+// Vortices decay at the rate of their wave numbers, with an error in time of second order.
+TEST(Viscosity, DecayIsOfSecondOrderInTime)
+{
+    const auto energy = [](int steps) {
+        Scene scene = box_of_fluid(2, 16, SideScene::Kind::periodic);
+        scene.size = {2 * pi, 2 * pi, 0};
+        scene.tolerance = 1e-12;
+        scene.viscosity = 0.25;
+        ViscousRun<2> run(
+            scene, [](const Vec<2>& x) { return Vec<2>(std::sin(x[0]) * std::cos(x[1]), -std::cos(x[0]) * std::sin(x[1])); });
+        const double start = run.energy();
+        for (int k = 0; k < steps; ++k)
+            run.step(2.0 / steps);
+        return run.energy() / start;
+    };
+    const double coarse = energy(4), middle = energy(8), fine = energy(16);
+    EXPECT_NEAR(std::log2((coarse - middle) / (middle - fine)), 2, 0.2);
+    EXPECT_NEAR(fine / std::exp(-2.0), 1, 0.03);
+}
+
+// No step gains energy.
+TEST(Viscosity, ADiskThatIsThrownLosesEnergyAtAnyViscosity)
+{
+    for (const double rate : {1e-7, 1e-3, 0.1, 10.0, 1e3}) {
+        Scene scene = box_of_fluid(2, 24, SideScene::Kind::wall);
+        const double dx = scene.spacing(), dt = 0.4 * dx;
+        scene.viscosity = rate * dx * dx / dt;
+        scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {0.33, 0.41, 0}, {1, 0.3, 0})};
+        scene.bodies[0].radius = 0.13;
+        ViscousRun<2> run(scene);
+        double last = run.energy();
+        for (int k = 0; k < 8; ++k) {
+            run.step(dt);
+            const double now = run.energy();
+            EXPECT_LT(now, last * (1 + 2e-5)) << rate;
+            last = now;
+        }
+        if (rate < 1e-6) {
+            EXPECT_GT(last, 0.99 * 0.5 * 1.09 * pi * 0.13 * 0.13);
+        }
+    }
+}
+
+} // namespace
+} // namespace gapflow
