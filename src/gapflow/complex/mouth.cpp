@@ -2,6 +2,7 @@
 
 #include "gapflow/complex/mouth_walls.hpp"
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/complex/plane_poses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +88,10 @@ private:
                 return;
             }
             end = other.at;
-        }
+        } else
+            for (int axis = 0; axis < 2; ++axis) // as far as places are told from each other
+                if (std::abs(end[axis] - corner.at[axis]) < in_plane)
+                    end[axis] = corner.at[axis];
         const Vec<2> way = end - corner.at, direction = way.normalized();
         const double h = way.norm();
         if (!(std::acos(std::clamp(direction.dot(corner.bisector), -1.0, 1.0)) < std::numbers::pi - 0.5 * corner.angle))
