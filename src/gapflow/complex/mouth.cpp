@@ -54,7 +54,7 @@ private:
     {
         if (image >= 0)
             for (int k = 0; k < static_cast<int>(placed_[image].corners.size()); ++k)
-                if ((placed_[image].corners[k].at - x).norm() < parameters.joint_distance)
+                if ((placed_[image].corners[k].at - x).norm() < in_plane)
                     return k;
         return -1;
     }
@@ -78,7 +78,7 @@ private:
         if (across >= 0) { // two corners: one mouth
             const SharpCorner& other = placed_[wall.image].corners[across];
             const SurfacePoint<2> back = placed_[image].shape.closest(planes_.in_world(other.at));
-            const bool mutual = (planes_.in_cells(back.x) - corner.at).norm() < parameters.joint_distance;
+            const bool mutual = (planes_.in_cells(back.x) - corner.at).norm() < in_plane;
             if (!mutual || std::pair(image, number) > std::pair(wall.image, across)) {
                 corner.own = 1 - share;
                 if (!mutual) {

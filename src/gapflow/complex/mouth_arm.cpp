@@ -762,6 +762,15 @@ private:
             arm.resistance += std::abs(weight) * part * std::max(0.0, outlet);
             return;
         }
+        if constexpr (D == 2) {
+            // Where another mouth's line shuts the sector off the flow goes on through the part to that line: parts of no size would join cells by a source
+            // evenly over them.
+            const double open = sum / (least_sector * 0.5 * mouth.sides[side].angle * mouth.radius * mouth.radius);
+            if (const double rest = open < 1 ? 1 - open * open * (3 - 2 * open) : 0.0; rest > 0) {
+                add_row(arm, from, rest * weight);
+                weight *= 1 - rest;
+            }
+        }
         double lattice = 0, other = 0; // of the source, and of its difference from one in the first cell alone
         for (std::size_t k = 0; k < targets.size(); ++k)
             if (const Target& target = targets[k]; target.size > 0 || k == 0) {
@@ -793,6 +802,8 @@ private:
     }
 
     static constexpr FivePoints rule{};
+    /// Share of a mouth's sector below which it is shut off: example 01 on parts, two corners 1e-8 cells beside each other (AlignedSides, a test).
+    static constexpr double least_sector = 0.05;
 
     /// Resistance of a cell's node in the grid's network over that of a source spread evenly over the cell: of the network (euler + 3/2 ln 2) / 2 pi, less
     /// the mean of ln 1/r between two points of a square.
