@@ -96,7 +96,7 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     if (borders)
         *borders = part_borders<D>(grid, planes, complex, placed, cut, joining.parts_beside());
     complex.seen_mass = seen_masses<D>(grid, planes, solids, placed, complex, derivatives);
-    complex.corners = corners_near(planes, placed);
+    complex.corners = corners_near(planes, placed, edge_mouths ? &*edge_mouths : nullptr);
     const std::vector<TwistMatrix<D>> corners = corner_masses(grid, complex);
     for (std::size_t s = 0; s < corners.size(); ++s)
         complex.seen_mass[s] += corners[s];

@@ -494,26 +494,11 @@ SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int 
     return line;
 }
 
-namespace {
-
-/// Straight between places; beyond the last ones as between these.
-double straight_between(const std::vector<double>& at, const std::vector<double>& values, double s)
+double EdgeWay::length_at(double s) const
 {
     const std::size_t k = std::clamp<std::size_t>(std::upper_bound(at.begin(), at.end(), s) - at.begin(), 1, at.size() - 1);
     const double share = (s - at[k - 1]) / (at[k] - at[k - 1]);
-    return (1 - share) * values[k - 1] + share * values[k];
-}
-
-} // namespace
-
-double EdgeWay::length_at(double s) const
-{
-    return straight_between(at, length, s);
-}
-
-double EdgeWay::own_at(double s) const
-{
-    return place.size() < 2 ? 1.0 : straight_between(place, own, std::clamp(s, place.front(), place.back()));
+    return (1 - share) * length[k - 1] + share * length[k];
 }
 
 WayInCell way_in_cell(const SharpSolid& solid, const EdgeWay& way, const Vec<3>& low, const Vec<3>& high)

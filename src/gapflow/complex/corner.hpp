@@ -61,12 +61,9 @@ struct EdgeWay {
     int edge, number;               ///< number: of all ways
     std::vector<double> at, length; ///< straight between these places
     double beyond;                  ///< by which it ends behind the other wall
-    std::vector<double> place,
-        own;                  ///< all places along the edge that were looked at, and what of the flow there is the corner's own
-    int axis = -1, plane = 0; ///< where it lies in a plane of the grid, which it does not divide; else axis -1
+    int axis = -1, plane = 0;       ///< where it lies in a plane of the grid, which it does not divide; else axis -1
 
     double length_at(double s) const;
-    double own_at(double s) const;
 };
 
 /// A round edge between a flat end and the side of a cylinder. The cone on which the heights over both are equal divides its cells.

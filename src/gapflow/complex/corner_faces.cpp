@@ -22,16 +22,17 @@ int places_along(double length)
     return std::max(1, static_cast<int>(std::ceil(2 * length)));
 }
 
-void add_edges(const PlacedSolid<3>& image, std::vector<Complex<3>::Corner>& corners)
+void add_edges(const PlacedSolid<3>& image, int number, const EdgeMouths* mouths, std::vector<Complex<3>::Corner>& corners)
 {
-    for (const SharpEdge& edge : image.sharp.edges) {
+    for (int e = 0; e < static_cast<int>(image.sharp.edges.size()); ++e) {
+        const SharpEdge& edge = image.sharp.edges[e];
         const Vec<3> way = edge.to - edge.from;
         const double length = way.norm();
         const Vec<3> outward = (image.sharp.facets[edge.a].normal + image.sharp.facets[edge.b].normal).normalized();
         const int n = places_along(length);
         for (int k = 0; k < n; ++k) {
             const double s = (k + 0.5) / n * length;
-            const double own = edge.way >= 0 ? image.sharp.ways[edge.way].own_at(s) : 1.0;
+            const double own = mouths ? mouths->own(number, e, s) : 1.0;
             const double strength = corner_gain(edge.angle) * own * length / n;
             if (strength > 0)
                 corners.push_back({image.solid, edge.from + s / length * way, image.reference, strength, outward,
@@ -59,10 +60,12 @@ void add_edges(const PlacedSolid<3>& image, std::vector<Complex<3>::Corner>& cor
 } // namespace
 
 template <int D>
-std::vector<typename Complex<D>::Corner> corners_near(const GridPlanes<D>& planes, const std::vector<PlacedSolid<D>>& placed)
+std::vector<typename Complex<D>::Corner> corners_near(const GridPlanes<D>& planes, const std::vector<PlacedSolid<D>>& placed,
+                                                      [[maybe_unused]] const EdgeMouths* mouths)
 {
     std::vector<typename Complex<D>::Corner> corners;
-    for (const PlacedSolid<D>& image : placed)
+    for (int number = 0; number < static_cast<int>(placed.size()); ++number) {
+        const PlacedSolid<D>& image = placed[number];
         if constexpr (D == 2) {
             for (const SharpCorner& corner : image.corners)
                 if (corner.own > 0)
@@ -70,7 +73,8 @@ std::vector<typename Complex<D>::Corner> corners_near(const GridPlanes<D>& plane
                                        corner.bisector.isZero(0) ? corner.outward : corner.bisector,
                                        std::numbers::pi - 0.5 * corner.angle, Vec<2>::Zero()});
         } else
-            add_edges(image, corners);
+            add_edges(image, number, mouths, corners);
+    }
     std::erase_if(corners, [&](const typename Complex<D>::Corner& corner) {
         for (int axis = 0; axis < D; ++axis) // farther than two cells from the block
             if (const PlanePlaces& place = planes.place[axis];
@@ -101,8 +105,10 @@ std::vector<TwistMatrix<D>> corner_masses(const Grid<D>& grid, const Complex<D>&
     return masses;
 }
 
-template std::vector<Complex<2>::Corner> corners_near(const GridPlanes<2>&, const std::vector<PlacedSolid<2>>&);
-template std::vector<Complex<3>::Corner> corners_near(const GridPlanes<3>&, const std::vector<PlacedSolid<3>>&);
+template std::vector<Complex<2>::Corner> corners_near(const GridPlanes<2>&, const std::vector<PlacedSolid<2>>&,
+                                                      const EdgeMouths*);
+template std::vector<Complex<3>::Corner> corners_near(const GridPlanes<3>&, const std::vector<PlacedSolid<3>>&,
+                                                      const EdgeMouths*);
 template std::vector<TwistMatrix<2>> corner_masses(const Grid<2>&, const Complex<2>&);
 template std::vector<TwistMatrix<3>> corner_masses(const Grid<3>&, const Complex<3>&);
 

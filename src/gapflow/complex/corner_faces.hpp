@@ -9,6 +9,7 @@
 // one where the corner lies on a vertex of the grid: that of a bilinear interpolation between planes and rows.
 #pragma once
 
+#include "gapflow/complex/edge_mouth.hpp"
 #include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/open_areas.hpp"
 #include "gapflow/complex/placed.hpp"
@@ -48,9 +49,11 @@ struct CornerFace {
     InlineVector<CornerPiece<D>, 4> pieces;
 };
 
-/// The corners of placed solids near the block of a complex; 3D: places of their edges and rims, some half a cell apart.
+/// The corners of placed solids near the block of a complex; 3D: places of their edges and rims, some half a cell apart. `mouths`: 3D, of the gaps
+/// that end at edges; null: none.
 template <int D>
-std::vector<typename Complex<D>::Corner> corners_near(const GridPlanes<D>& planes, const std::vector<PlacedSolid<D>>& placed);
+std::vector<typename Complex<D>::Corner> corners_near(const GridPlanes<D>& planes, const std::vector<PlacedSolid<D>>& placed,
+                                                      const EdgeMouths* mouths);
 
 template <int D>
 class CornerFaces {

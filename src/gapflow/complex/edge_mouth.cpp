@@ -119,6 +119,11 @@ bool EdgeMouths::covered(int image, const Vec<3>& x) const
     return false;
 }
 
+double EdgeMouths::own(int image, int edge, double s) const
+{
+    return placed_[image].shape.shape().convex() ? place(image, edge, s).own : 1.0;
+}
+
 void EdgeMouths::find_way(int image, int number)
 {
     if (!placed_[image].shape.shape().convex())
@@ -204,9 +209,7 @@ void EdgeMouths::add_way(int image, int number, const std::vector<double>& at, c
             last = k;
         }
     }
-    EdgeWay way{number, static_cast<int>(ways_.size()), {}, {}, 10 * parameters.joint_distance, at, {}};
-    for (const Place& place : places)
-        way.own.push_back(place.own);
+    EdgeWay way{number, static_cast<int>(ways_.size()), {}, {}, 10 * parameters.joint_distance};
     if (turned > 0 && direction.norm() > 0) {
         edge.outward = (1 - turned) * bisector(image, number) + turned * direction.normalized();
         for (double& x : edge.outward)

@@ -18,6 +18,8 @@ public:
     /// The mouths of a complex's links and of its pieces in whose planes edges and ways lie. Of edges that share their mouth with another one, the links' own
     /// part.
     void add_to(Complex<3>& complex) const;
+    /// What of the flow around an edge, s along it, is its own and not a mouth's.
+    double own(int image, int edge, double s) const;
 
 private:
     /// A place of an edge.

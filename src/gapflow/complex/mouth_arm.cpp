@@ -492,8 +492,8 @@ private:
         return arm;
     }
 
-    /// A face that moves as the line does: of a link the dividing line is part of the wall. With the walls' mean motion U and that of the line, U_l, the terms of the
-    /// face's energy without the relative flux are A delta (U U_l - 1/2 U^2), as of the link and the gap's face beside it.
+    /// A face that moves with the corner's solid: of a link the dividing line is part of the wall. With the walls' mean motion U and that of the corner's
+    /// solid, U_c, the terms of the face's energy without the relative flux are A delta (U U_c - 1/2 U^2), as of the link and the gap's face beside it.
     void add_motion(const GapMouth<D>& mouth, const FacePiece<D>& piece, MouthArm<D>& arm) const
     {
         const auto walls = walls_at(mouth);
@@ -501,7 +501,7 @@ private:
             return;
         const Vec<D> n = (mouth.end - mouth.at).normalized(), e = unit<D>(piece.axis);
         const PairTwist<D> mean = piece.area * mean_motion<D>(*walls, {n, -n}, 0.5 * (mouth.at + mouth.end)).transpose() * e;
-        arm.carried = piece.area * line_motion(mouth, *walls, e, piece.centroid);
+        arm.carried.template head<T>() = piece.area * speed_along<D>(e, piece.centroid, walls->reference[0]);
         const double delta = grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]);
         const PairMass<D> product = mean * arm.carried.transpose(),
                           mass = delta / piece.area * (product + product.transpose() - mean * mean.transpose());
@@ -523,21 +523,6 @@ private:
                            standoffs_.of(mouth.solid[0], mouth.solid[1]).distance};
     }
 
-    /// Speed along e, at x, of the line that divides the fluid: where one wall goes on, that of the corner's solid; between two corners the mean of both; else what lies
-    /// between, as the share of the corner's wall in the sector. The flux through the mouth is relative to it.
-    static PairTwist<D> line_motion(const GapMouth<D>& mouth, const GapWalls<D>& walls, const Vec<D>& e, const Vec<D>& x)
-    {
-        double sum = 0, share = 0;
-        for (const GapMouthSide& side : mouth.sides) {
-            sum += 1 - side.gap;
-            share += (1 - side.gap) * side.apex;
-        }
-        share = sum > 0 ? share / sum : 1;
-        PairTwist<D> motion;
-        motion << share * speed_along<D>(e, x, walls.reference[0]), (1 - share) * speed_along<D>(e, x, walls.reference[1]);
-        return motion;
-    }
-
     /// From one of two parts to the other; `rest`: resistance of the link or face without the mouth.
     MouthArm<D> through(const GapMouth<D>& mouth, const std::array<PartOrCell, 2>& parts, double open, double rest)
     {
@@ -550,10 +535,9 @@ private:
             return arm;
         const GapWalls<D>& walls = *both;
         const Eigen::Matrix<double, D, 2 * T> frame = mean_motion<D>(walls, {n, -n}, middle);
-        // The flux in the frame of the walls less that relative to the line.
-        const PairTwist<D> line = line_motion(mouth, walls, out, middle), carried = h * (line - frame.transpose() * out);
-        arm.carried = h / part * line;
-        arm.carried.template head<T>() -= h / part * speed_along<D>(out, middle, walls.reference[0]);
+        // The flux in the frame of the walls less that relative to the corner's solid.
+        PairTwist<D> carried = -h * frame.transpose() * out;
+        carried.template head<T>() += h * speed_along<D>(out, middle, walls.reference[0]);
         for (int side = 0; side < 2; ++side) {
             const double share = mouth.share * mouth.sides[side].gap, sign = side == 0 ? 1 : -1;
             if (share > 0) {
@@ -579,14 +563,25 @@ private:
         }
         arm.resistance = std::max(arm.resistance, parameters.least_covered);
         arm.resistance += rest;
-        Vec<D> way = Vec<D>::Zero();
-        for (const auto& [row, weight] : arm.rows) {
+        const auto place_of = [&](const PartOrCell& row) {
             Vec<D> place = cell_centre(planes_, complex_.index.index(complex_.cell_of(row)));
             for (int axis = 0; axis < D; ++axis)
                 if (grid_.periodic(axis))
                     place[axis] -=
                         planes_.place[axis].period() * std::round((place[axis] - middle[axis]) / planes_.place[axis].period());
-            way -= weight * place;
+            return place;
+        };
+        Vec<D> way = Vec<D>::Zero();
+        for (const auto& [row, weight] : arm.rows)
+            way -= weight * place_of(row);
+        if (const double ratio = arm.resistance / (least_of_way * way.squaredNorm()); ratio < 1) {
+            // Another mouth's line shuts the sector off: what has no resistance leads from part to part, not to parts of no size in several cells.
+            const double rest = 1 - ratio * ratio * (3 - 2 * ratio);
+            for (auto& [row, weight] : arm.rows)
+                weight *= 1 - rest;
+            add_row(arm, parts[0], rest);
+            add_row(arm, parts[1], -rest);
+            way += rest * (place_of(parts[1]) - place_of(parts[0]) - way);
         }
         const PairTwist<D> own = arm.flux, uniform = frame.transpose() * way;
         arm.flux += uniform;
@@ -635,7 +630,6 @@ private:
     static void still(MouthArm<D>& arm, int first, int count)
     {
         arm.flux.segment(first, count).setZero();
-        arm.carried.segment(first, count).setZero();
         for (PairMass<D>* mass : {&arm.mass, &arm.motion}) {
             mass->middleRows(first, count).setZero();
             mass->middleCols(first, count).setZero();
@@ -762,15 +756,6 @@ private:
             arm.resistance += std::abs(weight) * part * std::max(0.0, outlet);
             return;
         }
-        if constexpr (D == 2) {
-            // Where another mouth's line shuts the sector off the flow goes on through the part to that line: parts of no size would join cells by a source
-            // evenly over them.
-            const double open = sum / (least_sector * 0.5 * mouth.sides[side].angle * mouth.radius * mouth.radius);
-            if (const double rest = open < 1 ? 1 - open * open * (3 - 2 * open) : 0.0; rest > 0) {
-                add_row(arm, from, rest * weight);
-                weight *= 1 - rest;
-            }
-        }
         double lattice = 0, other = 0; // of the source, and of its difference from one in the first cell alone
         for (std::size_t k = 0; k < targets.size(); ++k)
             if (const Target& target = targets[k]; target.size > 0 || k == 0) {
@@ -802,8 +787,10 @@ private:
     }
 
     static constexpr FivePoints rule{};
-    /// Share of a mouth's sector below which it is shut off: example 01 on parts, two corners 1e-8 cells beside each other (AlignedSides, a test).
-    static constexpr double least_sector = 0.05;
+
+    /// A mouth's resistance over the square of the way between the places that it joins, in cells, below which it has none: example 01 on parts, two corners 1e-8
+    /// cells beside each other.
+    static constexpr double least_of_way = 0.1;
 
     /// Resistance of a cell's node in the grid's network over that of a source spread evenly over the cell: of the network (euler + 3/2 ln 2) / 2 pi, less
     /// the mean of ln 1/r between two points of a square.
