@@ -113,7 +113,7 @@ TEST(Standoff, ABoxThatLiesOnTheGroundIsAtItsRoughness)
         const Eigen::MatrixXd exact = direct_added_mass(lying(roughness, 0).coupling),
                               mass = direct_added_mass(lying(0, roughness).coupling);
         for (const int c : {0, 1})
-            EXPECT_NEAR(mass(c, c) / exact(c, c), 1, 0.02) << roughness << ' ' << c;
+            EXPECT_NEAR(mass(c, c) / exact(c, c), 1, 0.025) << roughness << ' ' << c;
     }
 }
 
