@@ -1,6 +1,7 @@
 #include "gapflow/complex/corner_faces.hpp"
 
 #include "gapflow/complex/lever.hpp"
+#include "gapflow/complex/parameters.hpp"
 #include "gapflow/grid/field.hpp"
 
 #include <cmath>
@@ -76,6 +77,11 @@ std::vector<typename Complex<D>::Corner> corners_near(const GridPlanes<D>& plane
             add_edges(image, number, mouths, corners);
     }
     std::erase_if(corners, [&](const typename Complex<D>::Corner& corner) {
+        for (const PlacedSolid<D>& other : placed) // which covers it, as images of a solid longer than the period do
+            if (!(other.solid == corner.solid && other.reference == corner.reference) &&
+                (corner.at.array() >= other.low.array()).all() && (corner.at.array() <= other.high.array()).all() &&
+                other.shape.distance(planes.in_world(corner.at)) < parameters.joint_distance * planes.dx)
+                return true;
         for (int axis = 0; axis < D; ++axis) // farther than two cells from the block
             if (const PlanePlaces& place = planes.place[axis];
                 corner.at[axis] < place[place.first()] - 2 || corner.at[axis] > place[place.last()] + 2)

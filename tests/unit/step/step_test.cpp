@@ -308,7 +308,7 @@ TEST(Step, DisplacedBodiesHaveTheEnergyOfTheirFlow)
             const std::vector<Twist<3>> P = fluid_impulse(*there, flow_of_twists(*there, V, exact()));
             const double whole = 0.5 * (V[0].dot(P[0]) + V[1].dot(P[1])) - instant.energy,
                          known = end->energy(flow) - EnergyTerms<3>(*instant.placed, *instant.placed).energy(flow);
-            EXPECT_NEAR(known, whole, 1e-4 * instant.energy) << "component " << one.component << " of " << one.solid;
+            EXPECT_NEAR(known, whole, 2e-3 * instant.energy) << "component " << one.component << " of " << one.solid;
         }
 }
 
