@@ -102,18 +102,19 @@ private:
 
     static Weight smooth(double x) { return x >= 1 ? Weight{1, 0} : Weight{x * x * (3 - 2 * x), 6 * x * (1 - x)}; }
 
-    /// Of the plane `plane`, falling to 0 at those beside it.
+    /// One at a place, falling to 0 at those beside it.
+    static Weight between(double below, double at, double above, double x)
+    {
+        const double length = x < at ? at - below : above - at;
+        return {1 - std::abs(x - at) / length, (x < at ? 1 : -1) / length};
+    }
     Weight of_plane(int axis, int plane, double x) const
     {
-        const double at = planes_.place_of(axis, plane);
-        const double length = x < at ? at - planes_.place_of(axis, plane - 1) : planes_.place_of(axis, plane + 1) - at;
-        return {1 - std::abs(x - at) / length, (x < at ? 1 : -1) / length};
+        return between(planes_.place_of(axis, plane - 1), planes_.place_of(axis, plane), planes_.place_of(axis, plane + 1), x);
     }
     Weight between_centres(int axis, int row, double x) const
     {
-        const double at = planes_.centre_of(axis, row);
-        const double length = x < at ? at - planes_.centre_of(axis, row - 1) : planes_.centre_of(axis, row + 1) - at;
-        return {1 - std::abs(x - at) / length, (x < at ? 1 : -1) / length};
+        return between(planes_.centre_of(axis, row - 1), planes_.centre_of(axis, row), planes_.centre_of(axis, row + 1), x);
     }
     /// The ray is as long as the corner's cell: it has the rest of this one, and as much of the next one as the corner is past the cell's near side.
     Stretch stretch(int axis, int sign, bool next, double x) const

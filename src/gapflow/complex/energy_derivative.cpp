@@ -303,14 +303,15 @@ private:
     void add_corners(std::span<const std::vector<WeightedTwist<D>>> seen)
     {
         const CornerFaces<D> faces(grid_, complex_, areas_);
+        const std::span<const WeightedTwist<D>> none;
         for (const auto& corner : complex_.corners)
             faces.for_each(corner, [&](const CornerFace<D>& face) {
                 if (owns_face(grid_, face.axis, complex_.index.index(face.face)))
-                    add_corner_face(corner, face, seen.empty() ? std::vector<WeightedTwist<D>>{} : seen[corner.solid]);
+                    add_corner_face(corner, face, seen.empty() ? none : std::span(seen[corner.solid]));
             });
     }
     void add_corner_face(const typename Complex<D>::Corner& corner, const CornerFace<D>& face,
-                         const std::vector<WeightedTwist<D>>& seen)
+                         std::span<const WeightedTwist<D>> seen)
     {
         const Twist<D>& V = twists_[corner.solid];
         const double U = face.motion.dot(V);

@@ -194,9 +194,9 @@ private:
 
 /// Planes in slabs, first all even ones, then all odd ones: those of one time reach no common cell, and sums are the same for any number of threads.
 template <int D>
-void lend(const Grid<D>& grid, const Complex<D>& complex, const std::vector<double>& plain, bool face_flux, Inertia<D>& inertia)
+void lend(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas, const std::vector<double>& plain,
+          bool face_flux, Inertia<D>& inertia)
 {
-    const OpenAreas<D> areas(complex);
     const Block<D> lenders = Lending<D>::lenders(grid, complex.index);
     const int first = lenders.low[D - 1], n = lenders.high[D - 1] - first, slabs = std::max(1, n / (2 * parameters.slab) * 2);
     std::vector<std::vector<LentRow<D>>> rows(slabs);
@@ -246,11 +246,8 @@ void add_flux(const Complex<D>& complex, const PartOrCell& row, std::int32_t sol
 
 /// The singular flow around corners, relative to their solids.
 template <int D>
-void add_corners(const Grid<D>& grid, const Complex<D>& complex, bool face_flux, Inertia<D>& inertia)
+void add_corners(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas, bool face_flux, Inertia<D>& inertia)
 {
-    if (complex.corners.empty())
-        return;
-    const OpenAreas<D> areas(complex);
     const CornerFaces<D> faces(grid, complex, areas);
     for (const auto& corner : complex.corners)
         faces.for_each(corner, [&](const CornerFace<D>& face) {
@@ -412,9 +409,10 @@ Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::spa
     for (const MouthArm<D>& mouth : mouths)
         if (mouth.piece >= 0)
             plain[mouth.piece] = 0;
-    lend(grid, complex, plain, face_flux, inertia);
+    const OpenAreas<D> areas(complex);
+    lend(grid, complex, areas, plain, face_flux, inertia);
     add_gaps(grid, complex, gaps, mouths, face_flux, inertia);
-    add_corners(grid, complex, face_flux, inertia);
+    add_corners(grid, complex, areas, face_flux, inertia);
     return inertia;
 }
 

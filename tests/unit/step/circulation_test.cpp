@@ -1,4 +1,5 @@
 // Ideal fluid with circulation on parts: forces, work of v x omega, uniform motion, vortices, restart.
+#include "unit/step/parts_run.hpp"
 #include "unit/step/scenes.hpp"
 
 #include "gapflow/step/advance.hpp"
@@ -23,16 +24,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-template <int D>
-FaceField<D> on_faces(const Grid<D>& grid, const std::function<Vec<D>(const Vec<D>&)>& velocity)
-{
-    FaceField<D> u(grid);
-    for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
-                          [&](const Index<D>& f) { u(axis, f) = velocity(grid.face_centre(axis, f))[axis]; });
-    return u;
-}
-
 /// A vortex that fills the box; in 3D it is weaker near two of its walls.
 template <int D>
 Vec<D> vortex(const Vec<D>& x)
@@ -50,32 +41,9 @@ Scene accurate(Scene scene)
     return scene;
 }
 
-/// A run of start_on_parts() and advance().
 template <int D>
-struct FreeRun {
-    Model<D> model;
-    State<D> state;
-    StageTimers timers;
-    StepReport report;
-    Instant<D> now;
-
-    explicit FreeRun(const Scene& scene, const std::function<Vec<D>(const Vec<D>&)>& velocity = nullptr)
-        : model(accurate(scene), Communicator(), Task::motion), state(model)
-    {
-        const FaceField<D> start = velocity ? on_faces<D>(model.grid, velocity) : FaceField<D>();
-        now = start_on_parts(model, state, report, timers, velocity ? &start : nullptr);
-    }
-    void step(double dt)
-    {
-        now = advance(model, now, Step{state.steps + 1, state.time, dt, state.dt, state.time + dt}, state, report, timers);
-    }
-    double energy() const
-    {
-        double sum = now.energy;
-        for (const RigidBody<D>& body : state.bodies)
-            sum += kinetic_energy(body);
-        return sum;
-    }
+struct FreeRun : PartsRun<D> {
+    explicit FreeRun(const Scene& scene, const Velocity<D>& velocity = nullptr) : PartsRun<D>(accurate(scene), velocity) {}
 };
 
 /// R = P . V - T of given twists and a given velocity as remainder, whose derivative the force is.

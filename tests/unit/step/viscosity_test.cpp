@@ -1,4 +1,5 @@
 // Viscosity on parts: the energy law of its stage, what it leaves alone, exact flows, order in time.
+#include "unit/step/parts_run.hpp"
 #include "unit/step/scenes.hpp"
 
 #include "gapflow/step/advance.hpp"
@@ -18,19 +19,6 @@ namespace gapflow {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-template <int D>
-using Velocity = std::function<Vec<D>(const Vec<D>&)>;
-
-template <int D>
-FaceField<D> sampled(const Grid<D>& grid, const Velocity<D>& velocity)
-{
-    FaceField<D> u(grid);
-    for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
-                          [&](const Index<D>& f) { u(axis, f) = velocity(grid.face_centre(axis, f))[axis]; });
-    return u;
-}
 
 template <int D>
 Vec<D> eddy(const Vec<D>& x)
@@ -54,7 +42,7 @@ struct Moment {
         SolverOptions exact;
         exact.tolerance = 1e-13;
         now.placed = placed(model, model.bodies, mass, true);
-        now.flow = flow_of_twists(*now.placed, twists, exact, remainder_of(*now.placed, sampled<D>(model.grid, velocity)));
+        now.flow = flow_of_twists(*now.placed, twists, exact, remainder_of(*now.placed, on_faces<D>(model.grid, velocity)));
         find_forces(now);
     }
     double energy()
@@ -181,34 +169,6 @@ TEST(Viscosity, UniformMotionDissipatesNothing3D)
     check_uniform_motion<3>();
 }
 
-/// A run of start_on_parts() and advance().
-template <int D>
-struct ViscousRun {
-    Model<D> model;
-    State<D> state;
-    StageTimers timers;
-    StepReport report;
-    Instant<D> now;
-
-    explicit ViscousRun(const Scene& scene, const Velocity<D>& velocity = nullptr)
-        : model(scene, Communicator(), Task::motion), state(model)
-    {
-        const FaceField<D> start = velocity ? sampled<D>(model.grid, velocity) : FaceField<D>();
-        now = start_on_parts(model, state, report, timers, velocity ? &start : nullptr);
-    }
-    void step(double dt)
-    {
-        now = advance(model, now, Step{state.steps + 1, state.time, dt, state.dt, state.time + dt}, state, report, timers);
-    }
-    double energy() const
-    {
-        double sum = now.energy;
-        for (const RigidBody<D>& body : state.bodies)
-            sum += kinetic_energy(body);
-        return sum;
-    }
-};
-
 // Between walls that slide the flow becomes linear shear, exactly.
 template <int D>
 void check_couette()
@@ -219,7 +179,7 @@ void check_couette()
     scene.sides[2].kind = scene.sides[3].kind = SideScene::Kind::wall;
     scene.sides[2].velocity = {-0.3, 0, 0};
     scene.sides[3].velocity = {0.7, 0, 0};
-    ViscousRun<D> run(scene);
+    PartsRun<D> run(scene);
     for (int k = 0; k < 10; ++k)
         run.step(0.4);
     double worst = 0;
@@ -253,7 +213,7 @@ TEST(Viscosity, ShearOnBothSidesOfAThinPlate)
     scene.bodies = {body("plate", BodyScene::ShapeKind::box, {0.5, 0.43, 0})};
     scene.bodies[0].motion = BodyScene::Motion::fixed;
     scene.bodies[0].size = {3, 0.02, 0};
-    ViscousRun<2> run(scene);
+    PartsRun<2> run(scene);
     for (int k = 0; k < 14; ++k)
         run.step(0.1);
     EXPECT_NEAR(run.report.dissipation_grid, 0.3 * 0.3 / 0.42 + 0.7 * 0.7 / 0.56, 1e-6);
@@ -302,7 +262,7 @@ TEST(Viscosity, DecayIsOfSecondOrderInTime)
         scene.size = {2 * pi, 2 * pi, 0};
         scene.tolerance = 1e-12;
         scene.viscosity = 0.25;
-        ViscousRun<2> run(
+        PartsRun<2> run(
             scene, [](const Vec<2>& x) { return Vec<2>(std::sin(x[0]) * std::cos(x[1]), -std::cos(x[0]) * std::sin(x[1])); });
         const double start = run.energy();
         for (int k = 0; k < steps; ++k)
@@ -323,7 +283,7 @@ TEST(Viscosity, ADiskThatIsThrownLosesEnergyAtAnyViscosity)
         scene.viscosity = rate * dx * dx / dt;
         scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {0.33, 0.41, 0}, {1, 0.3, 0})};
         scene.bodies[0].radius = 0.13;
-        ViscousRun<2> run(scene);
+        PartsRun<2> run(scene);
         double last = run.energy();
         for (int k = 0; k < 8; ++k) {
             run.step(dt);
