@@ -555,7 +555,7 @@ TEST(GapDrag, SideOfACylinder)
         const Complex<3> complex = build_complex<3>(grid, solids);
         const GapDrags<3> drags = find_gap_drag<3>(grid, solids, complex);
         ASSERT_EQ(drags.peaks.size(), 1u);
-        check_form<3>({drags.faces, {}}, solids);
+        check_form<3>({drags.faces, {}, {}}, solids);
         const Eigen::Matrix3d drag = drag_of_gaps<3>(complex, drags).block<3, 3>(6, 6);
         EXPECT_NEAR(n.dot(drag * n) / exact(1, 1), 1, 0.02);
         EXPECT_NEAR(across.dot(drag * across) / exact(0, 0), 1, 0.03);
