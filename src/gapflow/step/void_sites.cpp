@@ -1,5 +1,6 @@
 // Voids taken along from one place of the bodies to the next one. A void stays in its cell until it is filled, also where its gap has become too thick to be
 // one; what the walls uncover between voids is void as they are.
+#include "gapflow/complex/open_areas.hpp"
 #include "gapflow/step/matching.hpp"
 #include "gapflow/step/void_parts.hpp"
 
@@ -70,28 +71,28 @@ private:
 
 /// Volume of a site, in cells. In space the middle one of three: those of ducts with the mean of its faces along an axis.
 template <int D>
-double volume_of(const Complex<D>& complex, const SiteFaces<D>&, std::int32_t site)
+double volume_of(const Complex<D>& complex, [[maybe_unused]] const OpenAreas<D>& areas, std::int32_t site)
 {
     if (site >= complex.parts())
         return 1;
     if constexpr (D == 2)
         return complex.part_area[site];
     else {
-        std::array<double, 3> sum{};
-        const Index<3> c = complex.cell_of_part(site);
-        std::array<std::array<bool, 2>, 3> seen{};
-        for (const FacePiece<3>& piece : complex.pieces)
-            for (int end = 0; end < 2; ++end)
-                if (const PartOrCell side = end ? piece.low : piece.high; side.is_part() && side.number() == site) {
-                    sum[piece.axis] += 0.5 * piece.area;
-                    seen[piece.axis][end] = true;
-                }
-        for (int axis = 0; axis < 3 && complex.is_main(site); ++axis)
-            for (int end = 0; end < 2; ++end)
-                if (!seen[axis][end])
-                    sum[axis] += 0.5 * complex.main_area[axis][complex.index(complex.index.wrapped(c + end * step<3>(axis)))];
-        std::sort(sum.begin(), sum.end());
-        return sum[1];
+        std::array<double, 3> volume{};
+        const Index<3> cell = complex.cell_of_part(site);
+        for (int axis = 0; axis < 3; ++axis)
+            for (int end = 0; end < 2; ++end) {
+                const int face = complex.index(complex.index.wrapped(cell + end * step<3>(axis)));
+                const std::int32_t first = areas.first(axis, face);
+                if (first < 0 && complex.is_main(site))
+                    volume[axis] += 0.5 * complex.main_area[axis][face];
+                for (std::int32_t k = first; k >= 0; k = areas.next(k))
+                    if (const PartOrCell side = end ? complex.pieces[k].low : complex.pieces[k].high;
+                        side.is_part() && side.number() == site)
+                        volume[axis] += 0.5 * complex.pieces[k].area;
+            }
+        std::sort(volume.begin(), volume.end());
+        return volume[1];
     }
 }
 
@@ -99,7 +100,7 @@ template <int D>
 class TakenAlong {
 public:
     TakenAlong(const Model<D>& model, const std::vector<Solid<D>>& solids, const Complex<D>& complex, Voids<D>& voids)
-        : model_(model), solids_(solids), complex_(complex), voids_(voids), faces_(model.grid, complex),
+        : model_(model), solids_(solids), complex_(complex), voids_(voids), areas_(complex), faces_(model.grid, complex),
           place_(places_of_parts(model.grid, complex))
     {
         std::vector<char> is_mouth(complex.links.size(), 0);
@@ -157,7 +158,7 @@ public:
             return false;
         const bool is_part = site < complex_.parts();
         const Vec<D> place = is_part ? place_[site] : model_.grid.cell_centre(complex_.index.index(site - complex_.parts()));
-        const double dx = model_.grid.dx(), room = std::pow(dx, D) * volume_of(complex_, faces_, site);
+        const double dx = model_.grid.dx(), room = std::pow(dx, D) * volume_of(complex_, areas_, site);
         const VoidLaw law = void_law(model_.scene, solids_[a].name, solids_[b].name);
         const VoidPart<D> part{site,  a, b, dx, 0, room / dx, room, false, law.least_pressure - model_.hydrostatic(place),
                                place, -1};
@@ -253,6 +254,7 @@ private:
     const std::vector<Solid<D>>& solids_;
     const Complex<D>& complex_;
     Voids<D>& voids_;
+    OpenAreas<D> areas_;
     SiteFaces<D> faces_;
     std::vector<Vec<D>> place_;
     std::set<std::int32_t> beside_corner_; ///< parts with links that are no mouth's
