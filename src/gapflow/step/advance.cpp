@@ -94,16 +94,18 @@ Twist<D> along_grid(const FollowedBody<D>& followed, const Twist<D>& twist)
 /// Impulses of the free bodies that do the work which the trapezium of the forces, `mean`, misses of 1/2 V (N' - N) V': in each group of bodies in proportion to their own
 /// momenta M V_m, V_m the mean twist. Where bodies turn back within the step, so that their energy at V_m is small, no larger than at half their speeds.
 /// Where the grid goes with a body, `grid` its velocity, V_m is that over the grid, and this body takes the reactions. What goes over the grid with less
-/// energy than the solver's `tolerance` leaves of the whole is let alone.
+/// energy than the solver's `tolerance` leaves of the whole is let alone. `impacts`: of contacts that change velocities, none if empty: they give back what the
+/// forces err in their directions, so that what is missing is told from their own work only where it is more than that.
 template <int D>
 std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_before, const Instant<D>& before,
                                        const std::vector<RigidBody<D>>& bodies, const Instant<D>& after,
-                                       const std::vector<Twist<D>>& mean, const Twist<D>& grid, double tolerance, double dt)
+                                       const std::vector<Twist<D>>& mean, const std::vector<Twist<D>>& impacts,
+                                       const Twist<D>& grid, double tolerance, double dt)
 {
     const Twist<D> stream = stream_twist<D>(before.stream), end_stream = stream_twist<D>(after.stream);
     EnergyChange change = energy_change(*before.placed, before.flow, *after.placed, after.flow,
                                         Twist<D>(stream - grid)); // bodies move over the grid with their whole velocities
-    std::vector<double> square(change.work.size(), 0.0);
+    std::vector<double> square(change.work.size(), 0.0), of_impacts = square;
     std::vector<Twist<D>> impulse(mean.size(), Twist<D>::Zero());
     const FollowedBody<D>& followed = before.followed;
     Twist<D> lead = Twist<D>::Zero(), mean_of_all = Twist<D>::Zero();
@@ -131,6 +133,8 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
         const Twist<D> went = twist_of_way(bodies_before[b], bodies[b], dt) - grid;
         const bool starts = went.dot(mass * went) < starting * middle.dot(mass * middle);
         change.work[group] -= (starts ? went : middle).dot(mean[b]);
+        if (!impacts.empty())
+            of_impacts[group] += middle.dot(impacts[b]);
         if (leads)
             change.work[group] -= lead.dot(mean_of_all);
         if (bodies[b].motion == Motion::free) {
@@ -142,6 +146,10 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
             impulse[b] = along_grid(followed, Twist<D>(mass_matrix(bodies[followed.body]) * along));
             square[group] += along.dot(impulse[b]);
         }
+    }
+    for (std::size_t group = 0; group < change.work.size(); ++group) {
+        double& work = change.work[group];
+        work = std::copysign(std::max(0.0, std::abs(work) - std::abs(of_impacts[group])), work);
     }
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (const int group = change.group[b]; group >= 0 && square[group] > 0)
@@ -216,10 +224,11 @@ void add_outflow(const Coupling<D>& system, const UnknownVector<D>& outflow, con
 /// The forces that follow from the flow at the step's end.
 template <int D>
 StepForces<D> forces_of(const Instant<D>& old, const std::vector<RigidBody<D>>& before, const Instant<D>& now,
-                        const std::vector<RigidBody<D>>& bodies, const Twist<D>& grid, double tolerance, double dt)
+                        const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& impacts, const Twist<D>& grid,
+                        double tolerance, double dt)
 {
     StepForces<D> forces{trapezium<D>(old.force, now.force, dt), {}};
-    forces.missing = missing_impulses(before, old, bodies, now, forces.mean, grid, tolerance, dt);
+    forces.missing = missing_impulses(before, old, bodies, now, forces.mean, impacts, grid, tolerance, dt);
     return forces;
 }
 
@@ -378,12 +387,14 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
             if (--left == 0)
                 break;
             forces.missing = timed("forces", [&] {
-                return missing_impulses(before, old, state.bodies, now, none, grid, model.scene.tolerance, step.dt);
+                return missing_impulses(before, old, state.bodies, now, none, {}, grid, model.scene.tolerance, step.dt);
             });
             continue;
         }
-        StepForces<D> next =
-            timed("forces", [&] { return forces_of(old, before, now, state.bodies, grid, model.scene.tolerance, step.dt); });
+        StepForces<D> next = timed("forces", [&] {
+            return forces_of(old, before, now, state.bodies, state.contacts.impact_impulses(old.force.size()), grid,
+                             model.scene.tolerance, step.dt);
+        });
         const auto change = [&](std::size_t b) {
             return Twist<D>(next.mean[b] + next.missing[b] - forces.mean[b] - forces.missing[b]);
         };
