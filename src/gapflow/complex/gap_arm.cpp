@@ -116,7 +116,7 @@ private:
                    const typename StillWalls<D>::Frame& frame, double& resistance, Row& flux_of, Square& mass) const
     {
         const auto& walls = place.walls;
-        const double A = piece.area, delta = place.delta, middle = place.middle;
+        const double A = piece.area, delta = place.delta;
         const GapShape<D> shape =
             shape_of_gap<D, StillWalls<D>>(walls, piece.centroid, place.n, place.here, place.e, place.way);
         std::vector<GapLine<D, double>> lines = finder_.lines_of(piece.centroid, place);
@@ -133,7 +133,7 @@ private:
             line.width *= A / open;
             Way along(walls, line.place, place.way, place.n, line.thickness, frame);
             points.push_back(
-                along.points(middle - 0.5 + place.moved[0], middle + 0.5 + place.moved[1], shape.share, shape.bend));
+                along.points(place.end[0] + place.moved[0], place.end[1] + place.moved[1], shape.share, shape.bend));
             if (along.meets())
                 return false;
             through += line.width * along.at_face();

@@ -290,6 +290,8 @@ private:
     /// face, Q takes from the mass of light bodies, and one Jacobi step between two stiff nodes does not give it back: from 12 on a ball of 4.8 cells a radius
     /// over a corner below a plane of the grid is too heavy, at a hundredth of the way by 80 %.
     static constexpr double stiffest = 4, least_way = 0.01;
+    /// Each leaves of the error half a cell over twice the radius.
+    static constexpr int passes_to_feet = 2;
 
     /// The way from node to node, and the line across it.
     template <class Walls>
@@ -308,6 +310,7 @@ private:
                 nodes[t] = planes_.centre_of(t, f[t]);
         nodes[piece.axis] = planes_.centre_of(piece.axis, f[piece.axis]) - 0.5 * place.delta;
         place.middle = place.way.dot(nodes - centroid) / place.way.squaredNorm();
+        place.end = {S(place.middle - 0.5), S(place.middle + 0.5)};
         for (int side = 0; side < 2; ++side)
             if (const PartOrCell& at = side == 0 ? piece.low : piece.high; at.is_part())
                 for (auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(),
@@ -321,8 +324,33 @@ private:
                 moved *= most / closer;
         if (place.along_face())
             return;
+        find_feet(piece, centroid, place);
         if constexpr (D == 3)
             find_line(piece, centroid, place);
+    }
+
+    /// The ends of the way: the places of the gap's middle from which its own normals lead to the nodes. In flat gaps those at which n does; where a wall is round both
+    /// ways that meet at a node end at one place.
+    template <class Walls>
+    void find_feet(const FacePiece<D>& piece, const PlaceOf<D, typename Walls::Scalar>& centroid,
+                   GapPlace<D, Walls>& place) const
+    {
+        using S = typename Walls::Scalar;
+        using Place = PlaceOf<D, S>;
+        const std::array<int, 2> faces = place.walls.faces();
+        for (int side = 0; side < 2; ++side) {
+            Place node = place.nodes;
+            node[piece.axis] += (side - 0.5) * place.delta;
+            Place x = step_along<D, S>(centroid, place.end[side], place.way);
+            for (int pass = 0; pass < passes_to_feet; ++pass) {
+                const WallPoint<D, S> from = place.walls.nearest(0, x, faces[0]), to = place.walls.nearest(1, x, faces[1]);
+                const Place n = (from.normal - to.normal).normalized();
+                if (values_of<D>(n) == values_of<D>(place.n))
+                    break;
+                x = step_along<D, S>(node, S(n.dot(x - node) + 0.5 * (to.distance - from.distance)), n);
+                place.end[side] = place.way.dot(x - centroid) / place.way.squaredNorm();
+            }
+        }
     }
 
     /// The chord of a face through its piece's centroid, along the gap.
