@@ -132,8 +132,7 @@ private:
         for (auto& line : lines) {
             line.width *= A / open;
             Way along(walls, line.place, place.way, place.n, line.thickness, frame);
-            points.push_back(
-                along.points(place.end[0] + place.moved[0], place.end[1] + place.moved[1], shape.share, shape.bend));
+            points.push_back(along.points(place.end[0], place.end[1], shape.share, shape.bend));
             if (along.meets())
                 return false;
             through += line.width * along.at_face();

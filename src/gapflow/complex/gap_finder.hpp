@@ -111,8 +111,7 @@ public:
     static typename Walls::Scalar share_of(const GapPlace<D, Walls>& place)
     {
         using S = typename Walls::Scalar;
-        return share_up_to(place.here.thickness, parameters.gap_start, parameters.gap_end) *
-               share_up_to(S(-place.facing), -2 * parameters.least_facing, -parameters.least_facing);
+        return share_up_to(place.here.thickness, parameters.gap_start, parameters.gap_end) * share_of_facing<S>(place.facing);
     }
     /// Across a piece: the nodes of a Gauss rule on its line.
     template <class Walls>
@@ -310,7 +309,6 @@ private:
                 nodes[t] = planes_.centre_of(t, f[t]);
         nodes[piece.axis] = planes_.centre_of(piece.axis, f[piece.axis]) - 0.5 * place.delta;
         place.middle = place.way.dot(nodes - centroid) / place.way.squaredNorm();
-        place.end = {S(place.middle - 0.5), S(place.middle + 0.5)};
         for (int side = 0; side < 2; ++side)
             if (const PartOrCell& at = side == 0 ? piece.low : piece.high; at.is_part())
                 for (auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(),
@@ -319,38 +317,59 @@ private:
                     place.moved[side] += share_of_way(place.way, moved->second);
         // Parts one above the other at a mouth that runs through both may change their order: some of the way stays.
         const double most = 1 - std::max(least_way, piece.area / stiffest);
-        if (const S closer = place.moved[0] - place.moved[1]; closer > most)
+        S closer = place.moved[0] - place.moved[1];
+        if (closer > most) {
             for (S& moved : place.moved)
                 moved *= most / closer;
+            closer = most;
+        }
+        std::array<S, 2> foot{S(0.0), S(0.0)}; // of the node, from where n leads to it
+        if (!place.along_face()) {
+            for (int side = 0; side < 2; ++side)
+                foot[side] = foot_of(side, piece, centroid, place);
+            if (const S by_feet = foot[0] - foot[1]; closer + by_feet > most) // beside a body smaller than a cell
+                for (S& of : foot)
+                    of *= (most - closer) / by_feet;
+        }
+        for (int side = 0; side < 2; ++side)
+            place.end[side] = (side == 0 ? place.middle - 0.5 : place.middle + 0.5) + place.moved[side] + foot[side];
         if (place.along_face())
             return;
-        find_feet(piece, centroid, place);
         if constexpr (D == 3)
             find_line(piece, centroid, place);
     }
 
-    /// The ends of the way: the places of the gap's middle from which its own normals lead to the nodes. In flat gaps those at which n does; where a wall is round both
-    /// ways that meet at a node end at one place.
+    /// Where the gap's own normal leads from its middle to a node, from where the normal at the face does, as a part of the way. In flat gaps 0; where a wall is round
+    /// both ways that meet at a node end at one place with it.
     template <class Walls>
-    void find_feet(const FacePiece<D>& piece, const PlaceOf<D, typename Walls::Scalar>& centroid,
-                   GapPlace<D, Walls>& place) const
+    typename Walls::Scalar foot_of(int side, const FacePiece<D>& piece, const PlaceOf<D, typename Walls::Scalar>& centroid,
+                                   const GapPlace<D, Walls>& place) const
     {
         using S = typename Walls::Scalar;
         using Place = PlaceOf<D, S>;
         const std::array<int, 2> faces = place.walls.faces();
-        for (int side = 0; side < 2; ++side) {
-            Place node = place.nodes;
-            node[piece.axis] += (side - 0.5) * place.delta;
-            Place x = step_along<D, S>(centroid, place.end[side], place.way);
-            for (int pass = 0; pass < passes_to_feet; ++pass) {
-                const WallPoint<D, S> from = place.walls.nearest(0, x, faces[0]), to = place.walls.nearest(1, x, faces[1]);
-                const Place n = (from.normal - to.normal).normalized();
-                if (values_of<D>(n) == values_of<D>(place.n))
-                    break;
-                x = step_along<D, S>(node, S(n.dot(x - node) + 0.5 * (to.distance - from.distance)), n);
-                place.end[side] = place.way.dot(x - centroid) / place.way.squaredNorm();
-            }
+        const S start = place.middle + (side - 0.5);
+        Place node = place.nodes, x = step_along<D, S>(centroid, start, place.way);
+        node[piece.axis] += (side - 0.5) * place.delta;
+        S foot = 0.0, share = 1.0;
+        for (int pass = 0; pass < passes_to_feet; ++pass) {
+            const WallPoint<D, S> from = place.walls.nearest(0, x, faces[0]), to = place.walls.nearest(1, x, faces[1]);
+            share *= share_of_facing(S(-from.normal.dot(to.normal)));
+            if (!(share > 0.0))
+                return S(0.0);
+            const Place n = (from.normal - to.normal).normalized();
+            if (values_of<D>(n) == values_of<D>(place.n))
+                return foot;
+            x = step_along<D, S>(node, S(n.dot(x - node) + 0.5 * (to.distance - from.distance)), n);
+            foot = share * (place.way.dot(x - centroid) / place.way.squaredNorm() - start);
         }
+        return foot;
+    }
+    /// Of walls with normals at an angle of this cosine.
+    template <class S>
+    static S share_of_facing(const S& facing)
+    {
+        return share_up_to(S(-facing), -2 * parameters.least_facing, -parameters.least_facing);
     }
 
     /// The chord of a face through its piece's centroid, along the gap.

@@ -20,8 +20,8 @@ struct GapPlace {
     // The way from node to node is centroid + s way, end[0] <= s <= end[1].
     double delta = 1; ///< distance of the nodes along the face's axis
     Place e = Place::Constant(S(0.0)), way = Place::Constant(S(0.0));
-    S middle = S(0.0); ///< of the way that ends where n leads to the nodes
-    std::array<S, 2> end{};
+    S middle = S(0.0);                     ///< of the way that ends where n leads to the nodes
+    std::array<S, 2> end{};                ///< with `moved`
     Place nodes = Place::Constant(S(0.0)); ///< the middle between the two
     std::array<S, 2> moved{};              ///< of its two ends: nodes that mouths move
     // 3D: the piece lies around centroid + s line, from <= s <= to or the other way round.

@@ -77,7 +77,7 @@ private:
         double through = 0;
         for (const auto& line : lines) {
             Way& way = ways.emplace_back(walls, line.place, place.way, place.n, line.thickness, frame);
-            way.find_points(place.end[0] + place.moved[0], place.end[1] + place.moved[1], sigma, bend);
+            way.find_points(place.end[0], place.end[1], sigma, bend);
             width.push_back(line.width * wider);
             scale.push_back(line.thickness * thinner);
             through += width.back().value * way.at_face();

@@ -89,7 +89,7 @@ RoundArmRates<D> round_arm_rates(const GapFinder<D>& finder, const GapSite<D>& s
     RoundRow<D> through = RoundRow<D>::zero(); // the closing's flux at the face
     for (const auto& line : lines) {
         RoundWay<D>& way = ways.emplace_back(place.walls, line.place, place.way, place.n, line.thickness);
-        way.find_points(place.end[0] + place.moved[0], place.end[1] + place.moved[1], shape.share, shape.bend);
+        way.find_points(place.end[0], place.end[1], shape.share, shape.bend);
         const S width = line.width * wider;
         through.add(width.value, rates_of<D>(width), way.at_face());
     }
