@@ -68,6 +68,28 @@ private:
         return way.norm() * std::sin(std::clamp(0.5 * (std::numbers::pi - corner.angle) - angle, 0.0, 0.5 * std::numbers::pi));
     }
 
+    /// The corner of the solid across whose way to this corner's solid crosses the way from this corner to `end`, where both gaps end on the same
+    /// side; -1: none. The two have one mouth, beside which one of the walls goes on: two lines that cross would make two of it, one behind the other.
+    int crossing_corner(int image, const SharpCorner& corner, int across, const Vec<2>& end) const
+    {
+        const auto cross = [](const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; };
+        const Vec<2> way = end - corner.at;
+        for (int k = 0; across >= 0 && k < static_cast<int>(placed_[across].corners.size()); ++k) {
+            const SharpCorner& other = placed_[across].corners[k];
+            if (!((other.at - corner.at).norm() < turning_end + parameters.gap_end))
+                continue;
+            const OtherWall<2> back = walls_.nearest(across, other.at);
+            const Vec<2> foot = planes_.in_cells(back.nearest.x);
+            if (back.image != image || !(back.distance < parameters.gap_end) || corner_at(image, foot) >= 0)
+                continue;
+            const Vec<2> from = other.at - corner.at, to = foot - corner.at, there = to - from;
+            const bool crosses = cross(way, from) * cross(way, to) <= 0 && cross(there, from) * cross(there, from - way) <= 0;
+            if (crosses && cross(way, corner.bisector) * cross(way, other.bisector) > 0)
+                return k;
+        }
+        return -1;
+    }
+
     void add(int image, int number, const OtherWall<2>& wall)
     {
         SharpCorner& corner = placed_[image].corners[number];
@@ -87,6 +109,10 @@ private:
                 return;
             }
             end = other.at;
+        } else if (const int other = crossing_corner(image, corner, wall.image, end);
+                   other >= 0 && std::pair(image, number) > std::pair(wall.image, other)) {
+            corner.own = 1 - share; // it lies beside the other one's mouth
+            return;
         }
         const Vec<2> way = end - corner.at, direction = way.normalized();
         const double h = way.norm();

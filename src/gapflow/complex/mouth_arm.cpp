@@ -85,7 +85,7 @@ std::vector<std::pair<std::int32_t, int>> pieces_in_mouths(const Complex<3>& com
     return pieces;
 }
 
-/// Pieces of faces beside the parts, and those in mouths. Of a complex with mouths; else empty.
+/// Pieces of faces beside the parts, and those in mouths; none that only round-off leaves where lines cross in a face. Of a complex with mouths; else empty.
 template <int D>
 class PiecesOfParts {
 public:
@@ -99,7 +99,7 @@ public:
             std::vector<int> next = first_;
             for (std::size_t k = 0; k < complex.pieces.size(); ++k)
                 for (const PartOrCell& side : {complex.pieces[k].low, complex.pieces[k].high})
-                    if (side.is_part() && complex.pieces[k].area > 0) {
+                    if (side.is_part() && complex.pieces[k].area > parameters.least_stretch) {
                         if (count)
                             ++first_[side.number() + 1];
                         else
