@@ -2,6 +2,7 @@
 
 #include "gapflow/complex/mouth_walls.hpp"
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/complex/plane_poses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,7 @@ private:
     {
         if (image >= 0)
             for (int k = 0; k < static_cast<int>(placed_[image].corners.size()); ++k)
-                if ((placed_[image].corners[k].at - x).norm() < parameters.joint_distance)
+                if ((placed_[image].corners[k].at - x).norm() < in_plane)
                     return k;
         return -1;
     }
@@ -99,7 +100,7 @@ private:
         if (across >= 0) { // two corners: one mouth
             const SharpCorner& other = placed_[wall.image].corners[across];
             const SurfacePoint<2> back = placed_[image].shape.closest(planes_.in_world(other.at));
-            const bool mutual = (planes_.in_cells(back.x) - corner.at).norm() < parameters.joint_distance;
+            const bool mutual = (planes_.in_cells(back.x) - corner.at).norm() < in_plane;
             if (!mutual || std::pair(image, number) > std::pair(wall.image, across)) {
                 corner.own = 1 - share;
                 if (!mutual) {
@@ -113,7 +114,10 @@ private:
                    other >= 0 && std::pair(image, number) > std::pair(wall.image, other)) {
             corner.own = 1 - share; // it lies beside the other one's mouth
             return;
-        }
+        } else
+            for (int axis = 0; axis < 2; ++axis) // as far as places are told from each other
+                if (const Vec<2> way = (end - corner.at).cwiseAbs(); way[axis] < in_plane && !(way[1 - axis] < in_plane))
+                    end[axis] = corner.at[axis];
         const Vec<2> way = end - corner.at, direction = way.normalized();
         const double h = way.norm();
         if (!(std::acos(std::clamp(direction.dot(corner.bisector), -1.0, 1.0)) < std::numbers::pi - 0.5 * corner.angle))
