@@ -63,6 +63,9 @@ void clip(LabelledPolygon& polygon, const Vec<2>& normal, double room, int surfa
         }
         if ((past_a <= 0) != (past_b <= 0)) {
             kept.corner[kept.count] = a + past_a / (past_a - past_b) * (b - a);
+            for (int axis = 0; axis < 2; ++axis)
+                if (normal[1 - axis] == 0) // on a side along the grid to the last bit
+                    kept.corner[kept.count][axis] = room / normal[axis];
             kept.surface[kept.count++] = past_a <= 0 ? surface : polygon.surface[k];
         }
     }

@@ -257,9 +257,9 @@ void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const Dens
                 const SharpCorner& corner = general.corner(link.fin);
                 const bool own = link.fin < static_cast<int>(square.corners.size()); // the corner's cell
                 const double covered = own ? covered_way(corner, square).first : 0,
-                             conductance = own ? corner_conductance(corner.angle, link.open, covered) /
-                                                     std::max(corner.own, parameters.least_covered)
-                                               : link.open;
+                             alone = corner_conductance(corner.angle, link.open, covered),
+                             // as stiff as the corner, or as any link is
+                    conductance = own ? std::max(alone, 1 / std::max(parameters.least_covered, corner.own / alone)) : link.open;
                 const int k = own ? square.corners[link.fin].solid : square.lines[link.fin - square.corners.size()].solid;
                 slab.divisions.push_back(
                     {detail.images[k], link.a, link.b, conductance, link.open, covered, corner.at, -1, 0, corner.mouth});

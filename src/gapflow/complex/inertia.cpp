@@ -342,12 +342,15 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
             for (const auto& [row, weight] : mouth.rows)
                 add_row(row, mouth.solid[side],
                         Twist<D>(-weight / mouth.resistance * mouth.flux.template segment<T>(side * T)));
-            if (mouth.piece >= 0) {
-                const Twist<D> carried = mouth.carried.template segment<T>(side * T);
+            const Twist<D> carried = mouth.carried.template segment<T>(side * T);
+            if (mouth.piece >= 0)
                 record(&complex.pieces[mouth.piece], mouth.piece, -1, mouth.solid[side], carried);
-                add_row(complex.pieces[mouth.piece].low, mouth.solid[side], carried);
-                add_row(complex.pieces[mouth.piece].high, mouth.solid[side], -carried);
-            }
+            const auto [from, to] =
+                mouth.piece >= 0
+                    ? std::pair(complex.pieces[mouth.piece].low, complex.pieces[mouth.piece].high)
+                    : std::pair(PartOrCell::part(complex.links[mouth.link].a), PartOrCell::part(complex.links[mouth.link].b));
+            add_row(from, mouth.solid[side], carried);
+            add_row(to, mouth.solid[side], -carried);
         }
         if (grid.owns(complex.index.index(complex.cell_of(first))))
             inertia.pairs.push_back({mouth.solid[0], mouth.solid[1], mouth.mass, mouth.motion});

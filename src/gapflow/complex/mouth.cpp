@@ -2,6 +2,7 @@
 
 #include "gapflow/complex/mouth_walls.hpp"
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/complex/plane_poses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,7 @@ private:
     {
         if (image >= 0)
             for (int k = 0; k < static_cast<int>(placed_[image].corners.size()); ++k)
-                if ((placed_[image].corners[k].at - x).norm() < parameters.joint_distance)
+                if ((placed_[image].corners[k].at - x).norm() < in_plane)
                     return k;
         return -1;
     }
@@ -68,6 +69,28 @@ private:
         return way.norm() * std::sin(std::clamp(0.5 * (std::numbers::pi - corner.angle) - angle, 0.0, 0.5 * std::numbers::pi));
     }
 
+    /// The corner of the solid across whose way to this corner's solid crosses the way from this corner to `end`, where both gaps end on the same
+    /// side; -1: none. The two have one mouth, beside which one of the walls goes on: two lines that cross would make two of it, one behind the other.
+    int crossing_corner(int image, const SharpCorner& corner, int across, const Vec<2>& end) const
+    {
+        const auto cross = [](const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; };
+        const Vec<2> way = end - corner.at;
+        for (int k = 0; across >= 0 && k < static_cast<int>(placed_[across].corners.size()); ++k) {
+            const SharpCorner& other = placed_[across].corners[k];
+            if (!((other.at - corner.at).norm() < turning_end + parameters.gap_end))
+                continue;
+            const OtherWall<2> back = walls_.nearest(across, other.at);
+            const Vec<2> foot = planes_.in_cells(back.nearest.x);
+            if (back.image != image || !(back.distance < parameters.gap_end) || corner_at(image, foot) >= 0)
+                continue;
+            const Vec<2> from = other.at - corner.at, to = foot - corner.at, there = to - from;
+            const bool crosses = cross(way, from) * cross(way, to) <= 0 && cross(there, from) * cross(there, from - way) <= 0;
+            if (crosses && cross(way, corner.bisector) * cross(way, other.bisector) > 0)
+                return k;
+        }
+        return -1;
+    }
+
     void add(int image, int number, const OtherWall<2>& wall)
     {
         SharpCorner& corner = placed_[image].corners[number];
@@ -77,7 +100,7 @@ private:
         if (across >= 0) { // two corners: one mouth
             const SharpCorner& other = placed_[wall.image].corners[across];
             const SurfacePoint<2> back = placed_[image].shape.closest(planes_.in_world(other.at));
-            const bool mutual = (planes_.in_cells(back.x) - corner.at).norm() < parameters.joint_distance;
+            const bool mutual = (planes_.in_cells(back.x) - corner.at).norm() < in_plane;
             if (!mutual || std::pair(image, number) > std::pair(wall.image, across)) {
                 corner.own = 1 - share;
                 if (!mutual) {
@@ -87,7 +110,14 @@ private:
                 return;
             }
             end = other.at;
-        }
+        } else if (const int other = crossing_corner(image, corner, wall.image, end);
+                   other >= 0 && std::pair(image, number) > std::pair(wall.image, other)) {
+            corner.own = 1 - share; // it lies beside the other one's mouth
+            return;
+        } else
+            for (int axis = 0; axis < 2; ++axis) // as far as places are told from each other
+                if (const Vec<2> way = (end - corner.at).cwiseAbs(); way[axis] < in_plane && !(way[1 - axis] < in_plane))
+                    end[axis] = corner.at[axis];
         const Vec<2> way = end - corner.at, direction = way.normalized();
         const double h = way.norm();
         if (!(std::acos(std::clamp(direction.dot(corner.bisector), -1.0, 1.0)) < std::numbers::pi - 0.5 * corner.angle))

@@ -85,7 +85,7 @@ std::vector<std::pair<std::int32_t, int>> pieces_in_mouths(const Complex<3>& com
     return pieces;
 }
 
-/// Pieces of faces beside the parts, and those in mouths. Of a complex with mouths; else empty.
+/// Pieces of faces beside the parts, and those in mouths; none that only round-off leaves where lines cross in a face. Of a complex with mouths; else empty.
 template <int D>
 class PiecesOfParts {
 public:
@@ -99,7 +99,7 @@ public:
             std::vector<int> next = first_;
             for (std::size_t k = 0; k < complex.pieces.size(); ++k)
                 for (const PartOrCell& side : {complex.pieces[k].low, complex.pieces[k].high})
-                    if (side.is_part() && complex.pieces[k].area > 0) {
+                    if (side.is_part() && complex.pieces[k].area > parameters.least_stretch) {
                         if (count)
                             ++first_[side.number() + 1];
                         else
@@ -492,8 +492,8 @@ private:
         return arm;
     }
 
-    /// A face that moves with the corner's solid: of a link the dividing line is part of the wall. With the walls' mean motion U and that of the corner's
-    /// solid, U_c, the terms of the face's energy without the relative flux are A delta (U U_c - 1/2 U^2), as of the link and the gap's face beside it.
+    /// A face that moves as the line does: of a link the dividing line is part of the wall. With the walls' mean motion U and that of the line, U_l, the terms of the
+    /// face's energy without the relative flux are A delta (U U_l - 1/2 U^2), as of the link and the gap's face beside it.
     void add_motion(const GapMouth<D>& mouth, const FacePiece<D>& piece, MouthArm<D>& arm) const
     {
         const auto walls = walls_at(mouth);
@@ -501,7 +501,7 @@ private:
             return;
         const Vec<D> n = (mouth.end - mouth.at).normalized(), e = unit<D>(piece.axis);
         const PairTwist<D> mean = piece.area * mean_motion<D>(*walls, {n, -n}, 0.5 * (mouth.at + mouth.end)).transpose() * e;
-        arm.carried.template head<T>() = piece.area * speed_along<D>(e, piece.centroid, walls->reference[0]);
+        arm.carried = piece.area * line_motion(mouth, *walls, e, piece.centroid);
         const double delta = grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]);
         const PairMass<D> product = mean * arm.carried.transpose(),
                           mass = delta / piece.area * (product + product.transpose() - mean * mean.transpose());
@@ -523,6 +523,21 @@ private:
                            standoffs_.of(mouth.solid[0], mouth.solid[1]).distance};
     }
 
+    /// Speed along e, at x, of the line that divides the fluid: where one wall goes on, that of the corner's solid; between two corners the mean of both; else what lies
+    /// between, as the share of the corner's wall in the sector. The flux through the mouth is relative to it.
+    static PairTwist<D> line_motion(const GapMouth<D>& mouth, const GapWalls<D>& walls, const Vec<D>& e, const Vec<D>& x)
+    {
+        double sum = 0, share = 0;
+        for (const GapMouthSide& side : mouth.sides) {
+            sum += 1 - side.gap;
+            share += (1 - side.gap) * side.apex;
+        }
+        share = sum > 0 ? share / sum : 1;
+        PairTwist<D> motion;
+        motion << share * speed_along<D>(e, x, walls.reference[0]), (1 - share) * speed_along<D>(e, x, walls.reference[1]);
+        return motion;
+    }
+
     /// From one of two parts to the other; `rest`: resistance of the link or face without the mouth.
     MouthArm<D> through(const GapMouth<D>& mouth, const std::array<PartOrCell, 2>& parts, double open, double rest)
     {
@@ -535,9 +550,10 @@ private:
             return arm;
         const GapWalls<D>& walls = *both;
         const Eigen::Matrix<double, D, 2 * T> frame = mean_motion<D>(walls, {n, -n}, middle);
-        // The flux in the frame of the walls less that relative to the corner's solid.
-        PairTwist<D> carried = -h * frame.transpose() * out;
-        carried.template head<T>() += h * speed_along<D>(out, middle, walls.reference[0]);
+        // The flux in the frame of the walls less that relative to the line.
+        const PairTwist<D> line = line_motion(mouth, walls, out, middle), carried = h * (line - frame.transpose() * out);
+        arm.carried = h / part * line;
+        arm.carried.template head<T>() -= h / part * speed_along<D>(out, middle, walls.reference[0]);
         for (int side = 0; side < 2; ++side) {
             const double share = mouth.share * mouth.sides[side].gap, sign = side == 0 ? 1 : -1;
             if (share > 0) {
@@ -630,6 +646,7 @@ private:
     static void still(MouthArm<D>& arm, int first, int count)
     {
         arm.flux.segment(first, count).setZero();
+        arm.carried.segment(first, count).setZero();
         for (PairMass<D>* mass : {&arm.mass, &arm.motion}) {
             mass->middleRows(first, count).setZero();
             mass->middleCols(first, count).setZero();

@@ -2,7 +2,7 @@
 //
 //     T = 1/2 sum_sides [ gap int (q + D(s) V)^2 / t(s) ds + (1 - gap) R q^2 ] + q d V
 //
-// q is the flux through the mouth relative to the solid of its corner, t and D as in gap_arm.hpp, R the resistance of the outlet. d V is the difference of the
+// q is the flux through the mouth relative to the line that divides the fluid, t and D as in gap_arm.hpp, R the resistance of the outlet. d V is the difference of the
 // potentials of uniform motion between the places from which and to which the mouth leads: a node, or all that lies in the sector into which the flow
 // spreads.
 #pragma once
@@ -21,10 +21,11 @@ struct MouthArm {
     std::int32_t link, piece; ///< of the complex, whose energy it replaces; one of them -1
     std::array<std::int32_t, 2> solid;
     double resistance;
-    PairTwist<D> flux;    ///< c and d
-    PairMass<D> mass;     ///< B
-    PairMass<D> motion;   ///< the terms of the mass that are not squares
-    PairTwist<D> carried; ///< of a piece: flux of the corner's solid through it along its axis
+    PairTwist<D> flux;  ///< c and d
+    PairMass<D> mass;   ///< B
+    PairMass<D> motion; ///< the terms of the mass that are not squares
+    /// Flux of the line's motion: of a piece, through it along its axis; of a link, from its first part to the second, what it has not as a part of the corner's solid.
+    PairTwist<D> carried;
     std::vector<std::pair<PartOrCell, double>>
         rows; ///< w: the flux leaves w of the row; positive before the mouth (2D: at its left)
 };

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -101,18 +102,22 @@ public:
                       double radius) const
     {
         const Vec<D> way = end - at, direction = way.normalized();
-        const std::array<double, 2> turns{turn_of(placed_[image].shape, at, along, -direction, radius),
-                                          turn_of(shape_of(wall), end, along, direction, radius)};
+        const double width = way.norm();
+        const std::array<Turn, 2> turn{turn_of(placed_[image].shape, at, along, -direction, radius),
+                                       turn_of(shape_of(wall), end, along, direction, radius)};
         double wider = 0; // half a cell away
-        for (const double angle : turns)
-            wider += 0.5 * std::tan(std::clamp(angle, -steepest, steepest));
+        for (const Turn& of : turn)
+            wider += 0.5 * std::tan(std::clamp(of.seen, -steepest, steepest));
         GapMouthSide side;
         side.gap = share_up_to(wider, parameters.gap_start, parameters.gap_end);
         if (side.gap < 1) {
+            std::array<double, 2> turns{turn[0].angle, turn[1].angle};
+            for (int k = 0; k < 2; ++k)
+                turns[k] = turn_beyond(turns, k, turn[k], width, radius);
             const double corner = std::max(0.0, turns[0]), other = std::max(0.0, turns[1]);
             side.angle = corner + other;
             side.apex = side.angle > 0 ? corner / side.angle : 0.5;
-            side.outlet = outlet_resistance(way.norm(), turns, radius);
+            side.outlet = outlet_resistance(width, turns, radius);
         }
         return side;
     }
@@ -121,18 +126,55 @@ public:
     static constexpr double turning_end = 2 * parameters.gap_end - parameters.gap_start;
 
 private:
-    /// By how much a wall turns away from the direction `along` at x, seen at a distance; behind: into the solid. What lies behind counts as far as the wall
-    /// turns away at all: of an acute corner or a thin plate it is the other side.
-    double turn_of(const PlacedShape<D>& shape, const Vec<D>& x, const Vec<D>& along, const Vec<D>& behind,
-                   double distance) const
+    /// How a wall turns away from the direction along it.
+    struct Turn {
+        double seen;   ///< of a wall that turns at once: by the sine of the angle at a distance
+        double angle;  ///< where it turns
+        double beyond; ///< the way up to there
+    };
+    /// Of the wall at x from the direction `along`, seen at a distance; behind: into the solid. What lies behind counts as far as the wall turns away at all: of an acute
+    /// corner or a thin plate it is the other side.
+    Turn turn_of(const PlacedShape<D>& shape, const Vec<D>& x, const Vec<D>& along, const Vec<D>& behind, double distance) const
     {
-        const auto away = [&](const Vec<D>& y) {
-            return closest_point<D>(shape, planes_.in_world(y)).distance / (planes_.dx * distance);
-        };
-        const double ahead = std::clamp(away(x + distance * along), -1.0, 1.0);
-        return std::asin(ahead) + std::max(0.0, ahead) * std::asin(std::clamp(away(x + distance * behind), 0.0, 1.0));
+        const auto nearest = [&](const Vec<D>& way) { return closest_point<D>(shape, planes_.in_world(x + distance * way)); };
+        const auto share = [&](const SurfacePoint<D>& point) { return point.distance / (planes_.dx * distance); };
+        const SurfacePoint<D> point = nearest(along);
+        const double sine = std::clamp(share(point), -1.0, 1.0),
+                     other = std::asin(std::clamp(share(nearest(behind)), 0.0, 1.0));
+        Turn turn{std::asin(sine) + std::max(0.0, sine) * other, 0, 0};
+        turn.angle = turn.seen;
+        if (!(sine > 0) || shape.shape().curvature(point.patch) != 0)
+            return turn;
+        const Vec<D> way = planes_.in_world(x + distance * along) - point.x; // along the wall's normal where it has turned
+        const double whole = way.dot(along) / way.norm();
+        if (!(whole >= sine))
+            return turn;
+        turn.angle = std::min(std::atan2(way.dot(along), -way.dot(behind)), 0.5 * std::numbers::pi) + whole * other;
+        turn.beyond = distance * (1 - sine / whole);
+        return turn;
     }
 
+    /// The angle that has the resistance of a mouth one of whose walls turns `beyond` its end only. The channel is longer by half of that, between the ends of both; and up
+    /// to there the sector is that of the other wall alone: the resistance grows by c ln(1 + beyond/(2 c h)), c the difference of the inverse angles, up to that of a wall that
+    /// goes on.
+    static double turn_beyond(std::array<double, 2> turns, int k, const Turn& turn, double width, double radius)
+    {
+        std::array<double, 2> one = turns;
+        one[k] = 0;
+        const double full = outlet_resistance(width, turns, radius), none = outlet_resistance(width, one, radius);
+        if (!(turns[k] > 0 && one[1 - k] > 0 && full < none))
+            return turn.seen;
+        const double c = 1 / one[1 - k] - 1 / (turns[0] + turns[1]),
+                     sought = full + c * std::log1p(turn.beyond / (2 * c * width));
+        double low = 0, high = turns[k];
+        for (int step = 0; step < halvings && turn.beyond > 0; ++step) {
+            turns[k] = sought < none ? 0.5 * (low + high) : 0;
+            (outlet_resistance(width, turns, radius) < sought ? high : low) = turns[k];
+        }
+        return turns[k];
+    }
+
+    static constexpr int halvings = 50;     ///< of an angle, to round-off
     static constexpr double steepest = 1.4; // any larger turn is no gap
 
     const GridPlanes<D>& planes_;

@@ -3,6 +3,7 @@
 #include "gapflow/complex/complex.hpp"
 #include "gapflow/complex/facet_cut.hpp"
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/complex/plane_poses.hpp"
 #include "gapflow/complex/sharp_features.hpp"
 
 #include <algorithm>
@@ -30,6 +31,34 @@ GridPlanes<D>::GridPlanes(const Grid<D>& grid) : anchor(grid.anchor()), dx(grid.
     }
 }
 
+namespace {
+
+/// The sides that put_into_planes() has in planes of the grid, to the last bit: else a side would lie on either side of its plane, and its corners
+/// and mouths in it.
+template <int D>
+void put_sides_into_planes(const GridPlanes<D>& planes, PlanesKind<D>& kind)
+{
+    for (int k = 0; k < kind.planes; ++k) {
+        Vec<D>& normal = kind.normal[k];
+        int along = 0;
+        normal.cwiseAbs().maxCoeff(&along);
+        bool parallel = true;
+        for (int axis = 0; axis < D; ++axis)
+            if (std::abs(normal[axis]) * kind.reach < in_plane)
+                normal[axis] = 0;
+            else
+                parallel = parallel && axis == along;
+        if (!parallel)
+            continue;
+        normal[along] = normal[along] > 0 ? 1 : -1;
+        const double at = kind.centre[along] + normal[along] * kind.offset[k];
+        if (const auto plane = plane_beside<D>(planes, along, at))
+            kind.offset[k] = normal[along] * (*plane - kind.centre[along]); // exact
+    }
+}
+
+} // namespace
+
 template <int D>
 std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D>& planes, std::span<const Solid<D>> solids,
                                          const Vec<D>& low, const Vec<D>& high)
@@ -38,7 +67,7 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
     for (int axis = 0; axis < D; ++axis)
         if (grid.periodic(axis))
             period[axis] = grid.size()[axis];
-    const Vec<D> margin = Vec<D>::Constant(place_unit); // the solid is where its place is rounded to
+    const Vec<D> margin = Vec<D>::Constant(2 * in_plane); // the solid is where its place is rounded to
     std::vector<PlacedSolid<D>> result;
     for (const Image<D>& image : images(solids, planes.in_world(low), planes.in_world(high), period, grid.dx())) {
         const Solid<D>& solid = solids[image.solid];
@@ -85,12 +114,8 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
             }
             kind.centre = centre;
             kind.reach = kind.planes > 1 ? bounding_radius(shape.bounds()) / grid.dx() : 0;
-            // A face that is parallel to planes of the grid as far as places are told from each other is parallel: else one in such a plane would lie on either
-            // side of it, and its corners and mouths in it.
-            for (int k = 0; k < kind.planes && kind.reach > 0; ++k)
-                for (int axis = 0; axis < D; ++axis)
-                    if (std::abs(kind.normal[k][axis]) * kind.reach < parameters.joint_distance)
-                        kind.normal[k][axis] = 0;
+            if (kind.reach > 0)
+                put_sides_into_planes(planes, kind);
             placed.kind = kind;
             if (kind.planes > 1 && !placed.inverse) {
                 if constexpr (D == 2)

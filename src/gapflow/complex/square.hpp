@@ -174,10 +174,10 @@ private:
     bool draw(int number, bool turned);
     Hit joint_at(int solid, const Vec<2>& x, const Vec<2>& direction) const;
     Hit nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least, bool to_corners = false, int from = -1) const;
-    Hit arc_end(const OnEdge& place) const;
+    Hit arc_end(const OnEdge& place, const Vec<2>& direction) const;
     std::pair<double, OnEdge> exit_of(const Vec<2>& start, const Vec<2>& direction) const;
     End open_at(const Hit& hit, const Vec<2>& x);
-    std::optional<End> open_border(const OnEdge& place, int solid);
+    std::optional<End> open_border(const OnEdge& place, const Vec<2>& direction, int solid);
     void add_fin(const Vec<2>& p, End from, const Vec<2>& q, const End& to, int solid, int fin);
     int split_arc(int arc, int segment, double t, const Vec<2>& x);
     void split_ring(int ring, const OnEdge& place, int solid);

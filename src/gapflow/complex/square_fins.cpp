@@ -202,23 +202,34 @@ void Square::split_ring(int r, const OnEdge& place, int solid)
     }
 }
 
-/// The nearest arc that ends or starts at a place of the border, as a hit.
-Square::Hit Square::arc_end(const OnEdge& place) const
+/// The nearest arc that ends or starts at a place of the border, as a hit. Of several, as of the two sides of a line that ends there, one at whose
+/// fluid's side a direction leads from there.
+Square::Hit Square::arc_end(const OnEdge& place, const Vec<2>& direction) const
 {
     const Vec<2> x = point(place);
     Hit hit;
     double least = parameters.joint_distance * parameters.joint_distance;
-    for (std::size_t a = 0; a < arcs.size(); ++a) {
-        if (arcs[a].segments.empty())
+    bool in_front = false;
+    const auto offer = [&](const Vec<2>& end, const Vec<2>& way, const Hit& at) {
+        const double distance = (end - x).squaredNorm();
+        const bool front = cross(way, direction) > 0;
+        if (!(distance < parameters.joint_distance * parameters.joint_distance) || (in_front && !front) ||
+            (in_front == front && !(distance < least)))
+            return;
+        least = distance;
+        in_front = front;
+        hit = at;
+    };
+    for (int a = 0; a < static_cast<int>(arcs.size()); ++a) {
+        const SquareArc& arc = arcs[a];
+        const int n = static_cast<int>(arc.segments.size());
+        if (n == 0)
             continue;
-        if (arcs[a].start.edge >= 0 && (arcs[a].from - x).squaredNorm() < least) {
-            least = (arcs[a].from - x).squaredNorm();
-            hit = {0, static_cast<int>(a), 0, 0};
-        }
-        if (arcs[a].end.edge >= 0 && (arcs[a].to - x).squaredNorm() < least) {
-            least = (arcs[a].to - x).squaredNorm();
-            hit = {0, static_cast<int>(a), static_cast<int>(arcs[a].segments.size()) - 1, 1};
-        }
+        const ArcSegment &first = arc.segments[0], &last = arc.segments[n - 1];
+        if (arc.start.edge >= 0)
+            offer(arc.from, first.at(parameters.tangent_share) - first.from, {0, a, 0, 0});
+        if (arc.end.edge >= 0)
+            offer(arc.to, last.to - last.at(1 - parameters.tangent_share), {0, a, n - 1, 1});
     }
     return hit;
 }
@@ -270,8 +281,8 @@ void Square::add_fin(const Vec<2>& p, End from, const Vec<2>& q, const End& to, 
     arcs.push_back(back);
 }
 
-/// At a place of the rectangle's border; nothing where it is covered.
-std::optional<Square::End> Square::open_border(const OnEdge& place, int solid)
+/// At a place of the rectangle's border from which a line leads in a direction; nothing where it is covered.
+std::optional<Square::End> Square::open_border(const OnEdge& place, const Vec<2>& direction, int solid)
 {
     if (const int ring = ring_at(place); ring >= 0) {
         split_ring(ring, place, solid);
@@ -279,7 +290,7 @@ std::optional<Square::End> Square::open_border(const OnEdge& place, int solid)
         end.place = place;
         return end;
     }
-    if (const Hit hit = arc_end(place); hit.arc >= 0)
+    if (const Hit hit = arc_end(place, direction); hit.arc >= 0)
         return open_at(hit, point(place));
     return {};
 }
@@ -294,11 +305,11 @@ void Square::divide(int number)
     const auto [way, exit] = exit_of(corner.to_wall ? corner.at : p, corner.outward);
     const Hit hit = nearest_hit(p, corner.outward, -parameters.joint_distance, corner.to_wall);
     const bool border = hit.way > way;
-    if (border && ring_at(exit) < 0 && arc_end(exit).arc < 0)
+    if (border && ring_at(exit) < 0 && arc_end(exit, -corner.outward).arc < 0)
         return;
     const End from = open_at(joint, p);
     if (border) {
-        const auto to = open_border(exit, corner.solid);
+        const auto to = open_border(exit, -corner.outward, corner.solid);
         add_fin(p, from, point(exit), *to, corner.solid, number);
     } else {
         const Hit again =
@@ -335,7 +346,7 @@ bool Square::draw(int number, bool turned)
     const Vec<2> direction = (q - p).normalized();
     std::optional<End> from;
     if (start.edge >= 0)
-        from = open_border(start, line.solid);
+        from = open_border(start, direction, line.solid);
     else if (const Hit joint = joint_at(line.solid, p, direction); joint.arc >= 0)
         from = open_at(joint, p);
     if (!from)
@@ -362,7 +373,7 @@ bool Square::draw(int number, bool turned)
     }
     End to;
     if (end.edge >= 0) {
-        if (const auto opened = open_border(end, line.solid))
+        if (const auto opened = open_border(end, -direction, line.solid))
             to = *opened;
     } else if (const Hit joint = joint_at(line.solid, q, -direction); joint.arc >= 0)
         to = open_at(joint, q);

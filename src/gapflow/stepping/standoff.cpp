@@ -2,6 +2,7 @@
 
 #include "gapflow/body/contact_points.hpp"
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/complex/plane_poses.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,8 +81,10 @@ RoughSolids<D> rough_solids(const Scene& scene, const Grid<D>& grid, std::vector
     double roughest = std::max(scene.gap.roughness, scene.contact.thickness);
     for (const PairScene& pair : scene.pairs)
         roughest = std::max({roughest, pair.gap.roughness, pair.contact.thickness});
-    if (!(roughest > 0))
+    if (!(roughest > 0)) {
+        put_into_planes(grid, rough.solids);
         return rough;
+    }
     const double dx = grid.dx();
     Vec<D> period = Vec<D>::Zero();
     for (int axis = 0; axis < D; ++axis)
@@ -117,6 +120,7 @@ RoughSolids<D> rough_solids(const Scene& scene, const Grid<D>& grid, std::vector
             touches.push_back({near.a, near.b, n, least - distance});
     }
     set_apart<D>(touches, 1e-3 * least_distance * roughest, rough.solids);
+    put_into_planes(grid, rough.solids);
     return rough;
 }
 

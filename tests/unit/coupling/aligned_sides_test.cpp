@@ -1,0 +1,92 @@
+// Sides of boxes in planes of the grid to round-off: the added mass is that of the sides in the planes.
+#include "../grid/scenes.hpp"
+#include "direct_mass.hpp"
+
+#include "gapflow/complex/plane_poses.hpp"
+#include "gapflow/coupling/parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace gapflow::testing {
+namespace {
+
+constexpr int cells = 64;
+
+/// Two boxes of 16 x 8 cells, 0.32 cells above each other, at places along x, in cells, and turned; their twists in radii of the boxes. Over the fluid's mass that one displaces.
+Eigen::MatrixXd mass_of_boxes(double upper, double lower, double degrees = 0)
+{
+    const Grid<2> grid = unit_grid<2>(cells);
+    const double dx = grid.dx(), angle = degrees * std::numbers::pi / 180;
+    Scene<2> scene(grid);
+    for (const double side : {1.0, -1.0}) {
+        scene.add(side > 0 ? "upper" : "lower", make_box<2>(dx * Vec<2>(16, 8)),
+                  pose<2>(dx * Vec<2>(side > 0 ? upper : lower, 32 + side * 4.16), angle));
+        scene.solids.back().motion = Motion::free;
+    }
+    put_into_planes(grid, scene.solids);
+    const Complex<2> complex = build_complex<2>(grid, scene.solids);
+    const Inertia<2> inertia = find_inertia<2>(grid, complex, find_gap_arms<2>(grid, scene.solids, complex),
+                                               find_mouth_arms<2>(grid, scene.solids, complex));
+    const std::vector<TwistMatrix<2>> mass(scene.solids.size(), TwistMatrix<2>::Identity());
+    Eigen::MatrixXd M = direct_added_mass(couple_parts<2>(grid, scene.solids, mass, 1.0, complex, inertia));
+    for (const int spin : {2, 5}) {
+        M.row(spin) /= 8 * dx;
+        M.col(spin) /= 8 * dx;
+    }
+    return M / (128 * dx * dx);
+}
+
+double share_off(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+{
+    const Eigen::VectorXd scale = b.diagonal().cwiseSqrt().cwiseInverse();
+    return (scale.asDiagonal() * (a - b) * scale.asDiagonal()).cwiseAbs().maxCoeff();
+}
+
+TEST(AlignedSides, ArePlacedInPlanesOfTheGrid)
+{
+    const Grid<3> grid = unit_grid<3>(cells);
+    const double dx = grid.dx();
+    Scene<3> scene(grid);
+    Pose<3> at = pose<3>(dx * Vec<3>(16 + 1e-9, 16 - 2e-10, 16.3));
+    at.rotation = Rotation<3>(Eigen::AngleAxisd(1e-10, Vec<3>(1, 2, -1).normalized()));
+    scene.add("box", make_box<3>(dx * Vec<3>(8, 6, 4)), at);
+    scene.solids.back().centre = dx * Vec<3>(15, 16, 16);
+    const Vec<3> before = scene.solids.back().centre;
+    put_into_planes(grid, scene.solids);
+    const Solid<3>& box = scene.solids.back();
+    EXPECT_LT((box.shape.rotation() - Mat<3>::Identity()).norm(), 1e-15);
+    const Vec<3> place = box.shape.to_world(Vec<3>::Zero()) / dx;
+    EXPECT_NEAR(place[0], 16, 1e-13);
+    EXPECT_NEAR(place[1], 16, 1e-13);
+    EXPECT_NEAR(place[2], 16.3, 1e-13); // not in a plane
+    EXPECT_NEAR((box.centre - before)[0] / dx, -1e-9, 1e-13);
+}
+
+TEST(AlignedSides, BeyondAPeriodicDomainAreInPlanesToo)
+{
+    const Grid<2> grid(Vec<2>::Zero(), 1.0, Index<2>(14, 14), all_sides<2>(SideKind::periodic), 2, Communicator(MPI_COMM_SELF));
+    Scene<2> scene(grid);
+    scene.add("slab", make_box<2>(Vec<2>(46, 9)), pose<2>(Vec<2>(7 + 1e-9, 7.2), 0));
+    put_into_planes(grid, scene.solids);
+    EXPECT_NEAR(scene.solids.back().shape.to_world(Vec<2>::Zero())[0], 7, 1e-13);
+    const GridPlanes<2> planes(grid);
+    for (const int plane : {-100, -17, 0, 14, 31, 100})
+        EXPECT_EQ(plane_beside<2>(planes, 0, plane + 1e-9).value_or(0.5), plane);
+}
+
+TEST(AlignedSides, HaveTheAddedMassOfThePlaneToRoundOff)
+{
+    const Eigen::MatrixXd M = mass_of_boxes(32, 32);
+    for (const double off : {1e-12, 1e-10, 1e-9, 3e-9})
+        for (const auto& [upper, lower] :
+             {std::pair(off, off), std::pair(off, -off), std::pair(0.0, off), std::pair(-off, 0.0)})
+            EXPECT_LT(share_off(mass_of_boxes(32 + upper, 32 + lower), M), 1e-7) << off << ": " << upper << ' ' << lower;
+    for (const double degrees : {1e-12, 1e-10, 1e-9, 1e-8})
+        EXPECT_LT(share_off(mass_of_boxes(32, 32, degrees), M), 1e-7) << degrees;
+}
+
+} // namespace
+} // namespace gapflow::testing
