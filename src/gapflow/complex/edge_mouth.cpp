@@ -46,6 +46,12 @@ bool convex(const PlacedSolid<3>& solid)
     return solid.shape.shape().convex() || (facets && !solid.inverse && !solid.sharp.edges.empty() && convex(*facets));
 }
 
+/// Of a rim of facets: a cylinder's has the corner's law alone, too.
+bool of_rim(const PlacedSolid<3>& solid, const SharpEdge& edge)
+{
+    return std::holds_alternative<FacetKind<3>>(solid.kind) && (edge.to - edge.from).norm() < spacing_along;
+}
+
 } // namespace
 
 EdgeMouths::EdgeMouths(const GridPlanes<3>& planes, std::span<const Solid<3>> solids, std::vector<PlacedSolid<3>>& placed)
@@ -183,14 +189,14 @@ bool EdgeMouths::covered(int image, const Vec<3>& x) const
 
 double EdgeMouths::own(int image, int edge, double s) const
 {
-    return convex_[image] ? place(image, edge, s).own : 1.0;
+    return convex_[image] && !of_rim(placed_[image], placed_[image].sharp.edges[edge]) ? place(image, edge, s).own : 1.0;
 }
 
 void EdgeMouths::find_way(int image, int number)
 {
-    if (!convex_[image])
-        return;
     const SharpEdge& edge = placed_[image].sharp.edges[number];
+    if (!convex_[image] || of_rim(placed_[image], edge))
+        return;
     const double reach = MouthWalls<3>::turning_end;
     const Vec<3> low = edge.from.cwiseMin(edge.to).array() - reach, high = edge.from.cwiseMax(edge.to).array() + reach;
     bool near = sides_;
