@@ -20,7 +20,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import harness    # noqa: E402
 
-MODULES = ["added_mass_cases", "parts_cases", "gap_parts_cases", "near_parts_cases", "ideal_step_cases", "ideal_motion_cases", "pressure_cases", "motion_cases", "contact_cases", "viscous_cases", "viscous_flow_cases", "viscous_body_cases", "driven_cases", "film_cases", "far_cases", "graded_cases", "follow_cases", "unit_cases", "robustness_cases", "random_scenes"]
+MODULES = ["added_mass_cases", "parts_cases", "gap_parts_cases", "space_parts_cases", "curved_parts_cases", "near_parts_cases", "ideal_step_cases", "ideal_motion_cases", "pressure_cases", "motion_cases", "contact_cases", "viscous_cases", "viscous_flow_cases", "viscous_body_cases", "driven_cases", "film_cases", "far_cases", "graded_cases", "follow_cases", "unit_cases", "robustness_cases", "random_scenes"]
 
 
 def chosen_cases(names, only):

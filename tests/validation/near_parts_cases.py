@@ -7,13 +7,14 @@ import tempfile
 from pathlib import Path
 
 import harness
-from added_mass_cases import domain
+from added_mass_cases import domain, plates3d, quaternion, rotation_matrix, times
 from harness import Row
 
 NEAR_MASSES = "Parts: random scenes with near contacts"
 SEATS = "Parts: seats, over the lift in steps of 0.02 cells"
 PLANES = "Parts: walls beside planes of the grid"
 TOUCHING = "Parts: roughness as a distance"
+COUNTS = "Parts: iterations with half of the bodies light"
 
 KNIFE = [[-0.1856478436834314, 0.6928471849421709], [0.0, 0.0], [0.1856478436834314, 0.6928471849421709]]
 POPPET = [[-2, 17], [2, 17], [7, 22], [7, 24], [2, 24], [2, 29], [-2, 29], [-2, 24], [-7, 24], [-7, 22]]    # of failure F54, in mm
@@ -107,4 +108,45 @@ def touching_wheel(quick):
         yield Row(TOUCHING, f"wheel that touches a wall, roughness {24 * roughness:g} cells: added mass against that at that distance", "≤ 1 %", f"{100 * error:.3f} %", error <= 0.01)
 
 
-ALL = [random_near_masses, seats, walls_beside_planes, touching_wheel]
+def iterations_of_gaps(quick):
+    """Bodies of which one in two has a thousandth of the fluid's density, the gaps between them from a tenth to 1e-7 cells."""
+    def pair(shape, size, density, gap, turn):
+        """Along the domain's middle, the first axis of `turn` across the gap."""
+        n = 24 if len(turn) == 3 else 48
+        for name, sign, d in (("light", 1, 1e-3), ("heavy", -1, density)):
+            yield dict(shape, name=name, density=d, position=[n / 2 + 0.13 + sign * (size + gap / 2) * row[0] for row in turn])
+
+    def plates(n, gap, pose):
+        scene, _ = plates3d(n, 3 * gap / n, "box", *pose, (0.31, 0.17, 0.23))
+        scene["body"][0]["density"] = 1e-3
+        return scene
+
+    def balls(gap):
+        return [dict(name=f"b{k}", shape="ball", radius=4.0, density=(1e-3, 2.0)[k % 2], position=[12.13 + x, 12.07 + y, 12.2 + z]) for k, (x, y, z) in enumerate(
+            [(sx * (4 + gap / 2), sy * (4 + gap / 2), 0.0) for sx in (-1, 1) for sy in (-1, 1)])]
+
+    flat = [[math.cos(math.radians(20)), -math.sin(math.radians(20))], [math.sin(math.radians(20)), math.cos(math.radians(20))]]
+    turn = rotation_matrix((1, 2, -1), 40.0)
+    square, cube = dict(domain=domain((48.0, 48.0), (48, 48))), dict(domain=domain((24.0,) * 3, (24,) * 3))
+    kinds = [("two boxes at 20 degrees, 48²", 12, lambda gap: dict(square, body=list(pair(dict(shape="box", size=[4.0, 16.0], rotation=20.0), 2.0, 2.0, gap, flat)))),
+             ("two disks, 48²", 25, lambda gap: dict(square, body=list(pair(dict(shape="ball", radius=6.0), 6.0, 2.0, gap, flat)))),
+             ("two square plates in a skew pose, 36³", 12, lambda gap: plates(36, gap, ((1, 2, -1), 40.0))),
+             ("two square plates along the grid, 36³", 12, lambda gap: plates(36, gap, ((0, 0, 1), 0.0))),
+             ("four balls, 24³", 25, lambda gap: dict(cube, body=balls(gap))),
+             ("two capsules crossed at a right angle, 24³", 25, lambda gap: dict(cube, body=[
+                 dict(b, rotation=times(quaternion((1, 2, -1), 40.0), quaternion((1, 0, 0) if b["name"] == "light" else (0, 0, 1), 90.0))) for b in pair(dict(shape="capsule", radius=3.0, length=8.0), 3.0, 2.0, gap, turn)])),
+             ("box on an edge over the floor, light, 24³", 25, lambda gap: dict(cube, body=[dict(name="light", shape="box", size=[8.0, 8.0, 4.0], density=1e-3, rotation=quaternion((0, 1, 0), -10.0),
+                                                                                                  position=[12.13, 12.07, gap + 4 * math.sin(math.radians(10)) + 2 * math.cos(math.radians(10))])]))]
+    for name, most, make in kinds[:2] if quick else kinds:
+        counts, first = [], []
+        gaps = (1e-1, 1e-3, 1e-5, 1e-7)
+        for gap in gaps:
+            scene = make(gap)
+            result = harness.added_mass({**scene, "gap": dict(model="parts"), "solver": dict(tolerance=1e-8), "gravity": [0.3, -1.0] + [0.2] * (len(scene["domain"]["cells"]) - 2)}, accelerations=True)
+            counts.append(max(result["iterations"]))
+            first.append(result["acceleration_iterations"])
+        yield Row(COUNTS, f"{name}, gaps of 0.1, 1e-3, 1e-5, 1e-7 cells: iterations at 1e-8 of the added mass; of the first accelerations", f"≤ {most}",
+                  f"{', '.join(map(str, counts))}; {', '.join(map(str, first))}", max(counts + first) <= most)
+
+
+ALL = [random_near_masses, seats, walls_beside_planes, touching_wheel, iterations_of_gaps]

@@ -486,10 +486,10 @@ GAP_TARGETS = ((4, 2.5), (8, 1.2)) # cells a radius, %
 GAPS_OVER_R = (0.25, 0.05, 1e-2, 1e-3, 2.5e-5) # over the radius: 1 to 1e-4 cells at four cells a radius
 
 
-def gap_row(cells, target, case, errors, names=("opening", "along", "across")):
+def gap_row(cells, target, case, errors, names=("opening", "along", "across"), section=CURVED):
     """`errors`: for each run those of the directions, in %."""
     text = "; ".join(f"{name} {min(e):+.2f} … {max(e):+.2f}" for name, e in zip(names, zip(*errors)))
-    return Row(CURVED, f"{cells} cells a radius: {case}", f"≤ {target} %", f"{text} %", max(abs(x) for e in errors for x in e) <= target)
+    return Row(section, f"{cells} cells a radius: {case}", f"≤ {target} %", f"{text} %", max(abs(x) for e in errors for x in e) <= target)
 
 
 def compare(values, reference):
@@ -519,31 +519,6 @@ def capsules_over_a_wall(quick):
         for cells, target in GAP_TARGETS:
             errors = [compare(masses(cells, gap, spin, tilt, shift), of) for (gap, spin), of in references.items() for shift in ((0.0, 0.0), (0.31, 0.17), (0.1, 0.44))[:3 if cells == 4 else 2]]
             yield gap_row(cells, target, f"capsule of six radii over the floor, tilted by {tilt:g} degrees, at 0 and 25 degrees on the grid, gaps of 0.25 to 2.5e-5 R, against 12 cells", errors)
-
-
-def pairs_of_capsules(quick):
-    """Two capsules of six radii, parallel and crossed, in four directions on the grid: opening and sliding; against 12 cells a radius at the same pose."""
-    if quick:
-        return
-    side = 8.0
-
-    def masses(cells, gap, pose, angle, shift):
-        turn, q, n = (rotation_matrix(*pose), quaternion(*pose), round(cells * side)) if pose else (rotation_matrix((1, 0, 0), 0), [1.0, 0.0, 0.0, 0.0], round(cells * side))
-        bodies = []
-        for name, sign, own in (("upper", 1, 0.0), ("lower", -1, angle)):
-            place = apply(turn, [0, 0, sign * (1 + gap / 2)])
-            bodies.append(dict(name=name, shape="capsule", radius=1.0, length=4.0, density=2.0, rotation=times(q, quaternion((0, 0, 1), own)),
-                               position=[side / 2 + x + s / cells for x, s in zip(place, shift)]))
-        result = parts(dict(domain=domain((side,) * 3, (n,) * 3), body=bodies))
-        return [opening(result, apply(turn, v)) for v in ([0, 0, 1], [1, 0, 0], [0, 1, 0])]
-
-    poses, gaps = (None, ((1, 0, 0), 30.0), ((1, 2, -1), 40.0), ((3, 1, 2), 75.0)), (0.25, 1e-2, 1e-3, 2.5e-5)
-    for angle, name in ((0.0, "parallel"), (5.0, "crossed at 5 degrees"), (90.0, "crossed at 90 degrees")):
-        references = {(gap, pose): masses(12, gap, pose, angle, (0.31, 0.17, 0.23)) for gap in gaps for pose in poses}
-        for cells, target in GAP_TARGETS:
-            errors = [compare(masses(cells, gap, pose, angle, shift), of) for (gap, pose), of in references.items()
-                      for shift in ((0.0, 0.0, 0.0), (0.31, 0.17, 0.23), (-0.4, 0.1, 0.3))[:3 if cells == 4 else 1]]
-            yield gap_row(cells, target, f"two capsules of six radii, {name}, four poses on the grid, gaps of 0.25 to 2.5e-5 R, against 12 cells", errors)
 
 
 def eccentric(gap, a=1.0, b=2.0):
@@ -582,66 +557,6 @@ def cylinders_in_containers(quick):
             errors = [compare(masses(cells, gap, pose, degrees, shift), (1, 1)) for gap in gaps for pose in (((1, 0, 0), 30.0), ((1, 2, -1), 40.0), ((3, 1, 2), 75.0)) for degrees in (17.0, 115.0)
                       for shift in shifts[:2]]
             yield gap_row(cells, allowed, f"the same with flat ends, in three directions on the grid, {text}", errors)
-
-
-def meshes_over_a_wall(quick):
-    """Bodies of facets over the floor, against the exact shape or the finest mesh; ellipsoids against 12 cells."""
-    if quick:
-        return
-    side = (6.0, 6.0, 6.0)
-    poses = [([1.0, 0.0, 0.0, 0.0], rotation_matrix((1, 0, 0), 0)), (quaternion((1, 2, -1), 40.0), rotation_matrix((1, 2, -1), 40.0)), (quaternion((3, 1, 2), 75.0), rotation_matrix((3, 1, 2), 75.0))]
-
-    def lying(vertices, turn):
-        return -min(apply(turn, v)[2] for v in vertices)
-
-    def masses(body, height, cells, shift=(0.31, 0.17)):
-        result = single_over_floor(body, height, cells, shift, side)
-        return [energy(result, {"b": v}) for v in ((0, 0, 1), (1, 0, 0), (0, 1, 0))]
-
-    with tempfile.TemporaryDirectory() as folder:
-        def as_mesh(name, vertices, facets):
-            return dict(shape="mesh", file=write_mesh(folder, name, vertices, facets))
-
-        for cells in (4, 8):
-            balls = {gap: masses(dict(shape="ball", radius=1.0), 1 + gap, cells) for gap in (0.1, 1e-2, 1e-4)}
-            last = math.inf
-            for levels in (3, 4, 5, 6):
-                vertices, facets = sphere_mesh(levels)
-                scale = (4 / 3 * math.pi / mesh_volume(vertices, facets)) ** (1 / 3)
-                vertices = [tuple(scale * x for x in v) for v in vertices]
-                body = as_mesh(f"ball{levels}", vertices, facets)
-                errors = [compare(masses(dict(body, rotation=q), lying(vertices, turn) + gap, cells), of) for gap, of in balls.items() for q, turn in poses]
-                worst = max(abs(x) for e in errors for x in e)
-                row = gap_row(cells, 3.0 if levels == 3 else 1.0, f"ball of {len(facets)} facets in three poses over the floor, gaps of 0.1, 0.01, 1e-4 R, against the ball (falling)", errors)
-                row.ok = row.ok and worst < last
-                last = worst
-                yield row
-        # A prism lies along the floor on one of its sides' edges, a cone on a line of its side.
-        lie = {"prism": (times(quaternion((0, 0, 1), 25.0), quaternion((1, 0, 0), 90.0)), 2.0), "cone": (times(quaternion((0, 0, 1), 25.0), quaternion((1, 0, 0), 90.0 - math.degrees(math.atan(0.5)))), 2.0)}
-        for kind, (q, height) in lie.items():
-            turn = rotation_of(q)
-            for cells in (4, 8):
-                found = {}
-                for sides in (64, 256, 1024):
-                    section = regular(sides, 1.0)
-                    if kind == "prism":
-                        vertices, facets = prism(section, height)
-                    else:
-                        vertices = [(x, y, -height / 2) for x, y in section] + [(0.0, 0.0, height / 2)]
-                        facets = [(0, k + 1, k) for k in range(1, sides - 1)] + [(k, (k + 1) % sides, sides) for k in range(sides)]
-                    body = as_mesh(f"{kind}{sides}", vertices, facets)
-                    found[sides] = [masses(dict(body, rotation=q), lying(vertices, turn) + gap, cells) for gap in (1.0, 0.1, 1e-2, 1e-4)]
-                for sides, target in ((64, 3.5), (256, 1.0)): # of the fewer an edge is nearest to the floor
-                    far, *errors = [compare(a, b) for a, b in zip(found[sides], found[1024])]
-                    yield gap_row(cells, target, f"{kind} of {sides} sides along the floor, gaps of 0.1, 0.01, 1e-4 R, against 1024 sides, less the difference at a gap of R",
-                                  [[x - y for x, y in zip(e, far)] for e in errors])
-        vertices, facets = sphere_mesh(5)
-        vertices = [(1.5 * x, y, 0.6 * z) for x, y, z in vertices]
-        body = as_mesh("ellipsoid", vertices, facets)
-        references = {(gap, k): masses(dict(body, rotation=q), lying(vertices, turn) + gap, 12) for gap in GAPS_OVER_R for k, (q, turn) in enumerate(poses)}
-        for cells, target in GAP_TARGETS:
-            errors = [compare(masses(dict(body, rotation=poses[k][0]), lying(vertices, poses[k][1]) + gap, cells, shift), of) for (gap, k), of in references.items() for shift in ((0.0, 0.0), (0.31, 0.17))]
-            yield gap_row(cells, target, f"ellipsoid 1.5:1:0.6 of {len(facets)} facets in three poses over the floor, gaps of 0.25 to 2.5e-5 R, against 12 cells", errors)
 
 
 def gaps_over_shifts(quick):
@@ -981,5 +896,5 @@ def random_scenes_closed(quick):
                   f"{found['closure']}; {found['open']}", float(found["closure"]) <= 1e-10 and int(found["open"]) == 0)
 
 
-ALL = [random_scenes_closed, energy_derivative, round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, gaps_in_the_plane, square_plates, capsules_over_a_wall, pairs_of_capsules, cylinders_in_containers, meshes_over_a_wall, gaps_over_shifts, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
+ALL = [random_scenes_closed, energy_derivative, round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, gaps_in_the_plane, square_plates, capsules_over_a_wall, cylinders_in_containers, gaps_over_shifts, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
        over_shifts, ellipsoids, boxes_as_meshes]

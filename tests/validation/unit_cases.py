@@ -31,4 +31,18 @@ def taylor_green(quick):
         yield Row(section, f"{text}, root mean square of the error, 16² to 64²: order", "≥ 1.8", f"{order:.2f} ({found[name]})", passed and order >= 1.8)
 
 
-ALL = [film_advection, momentum, taylor_green]
+def drag_of_gaps(quick):
+    """The gaps' own form, the rest of the fluid without resistance. Worst of all directions on the grid."""
+    section = "Parts: drag of gaps alone"
+    for test, name in (("CylinderOverAWall", "cylinder over a wall"), ("CylinderInAContainer", "cylinder in a container of twice its radius"), ("BallOverAWall", "ball over a wall"),
+                       ("TwoBalls", "two balls")):
+        found, _ = harness.unit_figures("unit_complex", f"GapDrag.{test}")
+        for key in (k for k in found if " cells, " in k):
+            cells, gap = key.split(", ")
+            errors = [float(x) for x in found[key].split()]
+            yield Row(section, f"{name}, {cells} a radius, gap of {gap} R: normal; along; turning, against the integrals of lubrication", "≤ 3 %", "; ".join(f"{e:.2f}" for e in errors) + " %", max(errors) <= 3)
+    found, passed = harness.unit_figures("unit_complex", "GapDrag.Bearing")
+    yield Row(section, "bearing, clearance 0.01, 64², eccentricities to 0.999: torque; load, against Wannier", "≤ 0.5 %", f"{float(found['torque']):.2f}; {float(found['load']):.2f} %", passed)
+
+
+ALL = [film_advection, momentum, taylor_green, drag_of_gaps]

@@ -12,6 +12,46 @@ namespace {
 
 constexpr double spacing_along = 0.5; // cells between the places of an edge at which it looks for other walls
 
+/// Of a mesh: in one piece, and no two facets face each other across an edge.
+bool convex(const FacetKind<3>& kind)
+{
+    const auto& elements = kind.surface->elements;
+    const auto at = [&](int facet, int k) -> const Vec<3>& { return kind.vertices[elements[facet][k % 3]]; };
+    const auto normal = [&](int f) { return (at(f, 1) - at(f, 0)).cross(at(f, 2) - at(f, 0)).normalized(); };
+    std::vector<bool> found(elements.size());
+    std::vector<int> stack(1, 0);
+    std::size_t count = 1;
+    found[0] = true;
+    while (!stack.empty()) {
+        const int f = stack.back();
+        stack.pop_back();
+        for (int k = 0; k < 3; ++k) {
+            const int g = (*kind.links)[f][k];
+            if (normal(f).cross(normal(g)).dot((at(f, k + 1) - at(f, k)).normalized()) < -parameters.parallel)
+                return false;
+            if (!found[g]) {
+                found[g] = true;
+                ++count;
+                stack.push_back(g);
+            }
+        }
+    }
+    return count == elements.size();
+}
+
+/// Else the way from an edge to another wall might lead through the solid itself.
+bool convex(const PlacedSolid<3>& solid)
+{
+    const auto* facets = std::get_if<FacetKind<3>>(&solid.kind);
+    return solid.shape.shape().convex() || (facets && !solid.inverse && !solid.sharp.edges.empty() && convex(*facets));
+}
+
+/// Of a rim of facets: a cylinder's has the corner's law alone, too.
+bool of_rim(const PlacedSolid<3>& solid, const SharpEdge& edge)
+{
+    return std::holds_alternative<FacetKind<3>>(solid.kind) && (edge.to - edge.from).norm() < spacing_along;
+}
+
 } // namespace
 
 EdgeMouths::EdgeMouths(const GridPlanes<3>& planes, std::span<const Solid<3>> solids, std::vector<PlacedSolid<3>>& placed)
@@ -22,6 +62,8 @@ EdgeMouths::EdgeMouths(const GridPlanes<3>& planes, std::span<const Solid<3>> so
         low_[axis] = planes.place[axis][planes.place[axis].first()] - 2;
         high_[axis] = planes.place[axis][planes.place[axis].last()] + 2;
     }
+    for (const PlacedSolid<3>& solid : placed)
+        convex_.push_back(convex(solid));
     for (int i = 0; i < static_cast<int>(placed.size()); ++i)
         for (int e = 0; e < static_cast<int>(placed[i].sharp.edges.size()); ++e)
             find_way(i, e);
@@ -49,6 +91,27 @@ int EdgeMouths::edge_at(int image, const Vec<3>& x) const
         const Vec<3> way = edges[e].to - edges[e].from;
         const double t = std::clamp(way.dot(x - edges[e].from) / way.squaredNorm(), 0.0, 1.0);
         if ((edges[e].from + t * way - x).norm() < parameters.joint_distance)
+            return e;
+    }
+    return -1;
+}
+
+/// The edge of the other wall whose way back to this solid crosses the way to the foot, -1: none. Both lie in front of a face of the other solid, beside its edge.
+int EdgeMouths::edge_across(int image, const Place& place, const Vec<3>& along) const
+{
+    if (place.wall.image < 0)
+        return -1;
+    const Vec<3> foot = planes_.in_cells(place.wall.nearest.x);
+    const auto& edges = placed_[place.wall.image].sharp.edges;
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+        const Vec<3> way = edges[e].to - edges[e].from;
+        const Vec<3> x = edges[e].from + std::clamp(way.dot(foot - edges[e].from) / way.squaredNorm(), 0.0, 1.0) * way;
+        const Vec<3> out = x - foot, across = out - out.dot(along) * along;
+        if (!(out.norm() < place.distance && across.norm() > std::abs(out.dot(along))))
+            continue;
+        const SurfacePoint<3> back = closest_point<3>(placed_[image].shape, planes_.in_world(x));
+        const Vec<3> inside = place.at - planes_.in_cells(back.x);
+        if (back.feature == Feature::face && inside.norm() < place.distance && inside.dot(across) > 0)
             return e;
     }
     return -1;
@@ -95,6 +158,11 @@ EdgeMouths::Place EdgeMouths::place(int image, int number, double s) const
             }
             return place;
         }
+    } else if (const int across_way = edge_across(image, place, along);
+               across_way >= 0 && std::pair(image, number) > std::pair(place.wall.image, across_way)) {
+        place.own = 1 - place.share;
+        place.lost = true;
+        return place;
     }
     if (!(std::acos(std::clamp(place.direction.dot(bisector(image, number)), -1.0, 1.0)) <
           std::numbers::pi - 0.5 * edge.angle)) { // through the solid itself
@@ -121,14 +189,14 @@ bool EdgeMouths::covered(int image, const Vec<3>& x) const
 
 double EdgeMouths::own(int image, int edge, double s) const
 {
-    return placed_[image].shape.shape().convex() ? place(image, edge, s).own : 1.0;
+    return convex_[image] && !of_rim(placed_[image], placed_[image].sharp.edges[edge]) ? place(image, edge, s).own : 1.0;
 }
 
 void EdgeMouths::find_way(int image, int number)
 {
-    if (!placed_[image].shape.shape().convex())
-        return; // the way might lead through the solid itself
     const SharpEdge& edge = placed_[image].sharp.edges[number];
+    if (!convex_[image] || of_rim(placed_[image], edge))
+        return;
     const double reach = MouthWalls<3>::turning_end;
     const Vec<3> low = edge.from.cwiseMin(edge.to).array() - reach, high = edge.from.cwiseMax(edge.to).array() + reach;
     bool near = sides_;

@@ -34,6 +34,7 @@ private:
     };
     Place place(int image, int edge, double s) const;
     int edge_at(int image, const Vec<3>& x) const;
+    int edge_across(int image, const Place& place, const Vec<3>& along) const;
     Vec<3> bisector(int image, int edge) const;
     static double beyond(const Vec<3>& bisector, double angle, const Vec<3>& way);
     /// Whether another solid covers a place.
@@ -48,6 +49,7 @@ private:
     const GridPlanes<3>& planes_;
     std::vector<PlacedSolid<3>>& placed_;
     const MouthWalls<3> walls_;
+    std::vector<bool> convex_; ///< of the placed solids
     struct Way {
         int image, edge;
     };

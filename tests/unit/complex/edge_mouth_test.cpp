@@ -14,15 +14,16 @@ namespace {
 
 constexpr int cells = 16;
 
-/// Two boxes of 6 x 5 x 3 cells across a gap.
+/// Two boxes of 6 x 5 x 3 cells across a gap; or both as meshes.
 void add_boxes(Scene<3>& scene, double gap, const Rotation<3>& turn, const Vec<3>& middle,
-               const Vec<2>& offset = Vec<2>::Zero())
+               const Vec<2>& offset = Vec<2>::Zero(), bool meshes = false)
 {
     for (const int side : {1, -1}) {
         const Vec<3> x(side * 0.5 * offset[0], side * 0.5 * offset[1], side * 0.5 * (gap + 3));
         Pose<3> at = pose<3>(Vec<3>((middle + turn * x) / cells));
         at.rotation = turn;
-        scene.add("box", make_box<3>(Vec<3>(6, 5, 3) / cells), at);
+        std::unique_ptr<Shape<3>> box = make_box<3>(Vec<3>(6, 5, 3) / cells);
+        scene.add("box", meshes ? make_mesh<3>(box->display_mesh(0), "box") : std::move(box), at);
     }
 }
 Rotation<3> turned(const Vec<3>& axis, double angle)
@@ -52,6 +53,34 @@ TEST(EdgeMouths, GoOnceAroundAGap)
         }
 }
 
+// Of a mesh that is not convex the way from an edge might lead through itself.
+TEST(EdgeMouths, OfMeshesThatAreConvex)
+{
+    const Grid<3> grid = unit_grid<3>(cells);
+    const auto area_of = [&](const Scene<3>& scene) {
+        double area = 0;
+        const Complex<3> complex = build_complex<3>(grid, scene.solids);
+        for (const CornerLink<3>& link : complex.links)
+            area += link.mouth >= 0 ? link.open : 0.0;
+        return area;
+    };
+    for (const auto& turn : {turned({1, 2, -1}, 0.5), turned({1, 1, 0.3}, 1.1)}) {
+        Scene<3> scene(grid);
+        add_boxes(scene, 0.2, turn, {8.31, 7.83, 8.12}, {0, 0}, true);
+        EXPECT_NEAR(area_of(scene), 22 * 0.2, 0.002 * 22 * 0.2);
+    }
+    SurfaceMesh<3> two = make_box<3>(Vec<3>(6, 5, 1) / cells)->display_mesh(0);
+    const int vertices = static_cast<int>(two.vertices.size());
+    for (const std::array<int, 3>& e : std::vector(two.elements))
+        two.elements.push_back({e[0] + vertices, e[1] + vertices, e[2] + vertices});
+    for (const Vec<3>& x : std::vector(two.vertices))
+        two.vertices.push_back(x + Vec<3>(0, 0, 1.2 / cells));
+    two.patch.assign(two.elements.size(), 0);
+    Scene<3> scene(grid);
+    scene.add("two plates", make_mesh<3>(two, "two plates"), pose<3>(Vec<3>(Vec<3>(8.31, 7.83, 8.12) / cells)));
+    EXPECT_EQ(area_of(scene), 0);
+}
+
 // The way back from an edge to the one across is another one where they are inclined to each other: it is one mouth all the same.
 TEST(EdgeMouths, OfEdgesInclinedALittle)
 {
@@ -69,6 +98,29 @@ TEST(EdgeMouths, OfEdgesInclinedALittle)
         for (const CornerLink<3>& link : complex.links)
             area += link.mouth >= 0 ? link.open : 0.0;
         EXPECT_NEAR(area, 22 * 0.2, 0.002 * 22 * 0.2) << axis.transpose();
+    }
+}
+
+// Where a gap widens towards its end each of the two edges there may lie in front of the other body's face: their ways cross.
+TEST(EdgeMouths, OfEdgesInFrontOfEachOthersFaces)
+{
+    const Grid<3> grid = unit_grid<3>(cells);
+    for (const double angle : {1e-5, 1e-3, 1e-2}) {
+        const double inside = 0.5 * 0.2 * angle; // of the upper edge; the foot of the lower one is 0.2 angle inside
+        Scene<3> scene(grid);
+        for (const int side : {1, -1}) {
+            Pose<3> at =
+                pose<3>(Vec<3>(Vec<3>(8.31 + (side > 0 ? 1.5 * angle + inside : 0.0), 7.83, 8.12 + side * 1.6) / cells));
+            if (side > 0)
+                at.rotation = turned({0, 1, 0}, angle);
+            scene.add("box", make_box<3>(Vec<3>(6, 5, 3) / cells), at);
+        }
+        const Complex<3> complex = build_complex<3>(grid, scene.solids);
+        EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12);
+        double area = 0;
+        for (const CornerLink<3>& link : complex.links)
+            area += link.mouth >= 0 ? link.open : 0.0;
+        EXPECT_NEAR(area, 22 * 0.2, 0.01 * 22 * 0.2) << angle;
     }
 }
 
