@@ -129,6 +129,30 @@ TEST(GapArms, CylinderInAContainer)
     }
 }
 
+// A cylinder all but touches the floor at the centre of a cell, and beside it: the ways of both faces end there at one place. Ends where each face's own normal leads to the
+// centre have 0.05 cells between them: neither way had the contact, and the mass fell by 0.8 %.
+TEST(GapArms, AContactPassesTheCentreOfACell)
+{
+    const auto mass = [](double x) {
+        Scene scene;
+        scene.dimension = 2;
+        scene.parts = true;
+        scene.density = 1;
+        scene.size = {1, 1, 0};
+        scene.cells = {32, 32, 1};
+        BodyScene cylinder;
+        cylinder.name = "cylinder";
+        cylinder.radius = 0.15;
+        cylinder.density = 1;
+        cylinder.position = {x / 32, 0.15 + 1e-9, 0};
+        scene.bodies = {cylinder};
+        return added_mass<2>(scene, true)(0, 0);
+    };
+    const double beside = 0.5 * (mass(12.4) + mass(12.6));
+    for (const double x : {12.47, 12.49, 12.5, 12.51, 12.53})
+        EXPECT_NEAR(mass(x) / beside, 1, 2e-3) << x;
+}
+
 /// A ball of 3 cells a radius over the floor of a box of 5 x 5 x 4 radii.
 Scene over_a_floor(double gap, const Vec<2>& shift)
 {
