@@ -268,7 +268,7 @@ class Folders(Case):
 
     def test_a_killed_run_is_told_from_one_that_runs(self):
         self.scene.write_text(CHANNEL)
-        words = [GAPFLOW, "run", str(self.scene), "-o", str(self.out), "--quiet", "--set", "time.max_step=1e-4"]
+        words = [GAPFLOW, "run", str(self.scene), "-o", str(self.out), "--quiet", "--set", "time.max_step=1e-4", "--set", "time.end=100"]
         process = subprocess.Popen(words)
         try:
             deadline = time.time() + 60
