@@ -182,7 +182,7 @@ void ViscousColumns<D>::fill_form()
         to.resize(static_cast<int>(sum.rows()), columns());
         to.setFromTriplets(entries.begin(), entries.end());
     };
-    fill(form_.squares, true, squares_);
+    fill(form_.plain_squares(), true, squares_);
     Rows rotation;
     fill(form_.rotation, false, rotation);
     Eigen::VectorXd weight(form_.rotation.rows());
