@@ -123,6 +123,51 @@ std::vector<double> ViscousForm<D>::diagonal() const
 }
 
 template <int D>
+std::vector<double> ViscousForm<D>::followed_diagonal(const std::vector<double>& diagonal) const
+{
+    std::vector<double> result(diagonal.begin(), diagonal.begin() + velocities());
+    std::vector<char> own(velocities(), false);
+    for (const FormElement& element : elements) {
+        own[element.face] = true;
+        result[element.face] = 0;
+    }
+    for (const auto& face : whole.columns)
+        result[face[UnitFace::traces]] = unit_face().followed;
+    std::vector<double> sum(velocities(), 0.0);
+    std::vector<std::int32_t> used;
+    const auto add = [&](std::int32_t face, double value) {
+        if (own[face]) {
+            sum[face] += value;
+            used.push_back(face);
+        }
+    };
+    for (std::int64_t k = 0; k < squares.rows(); ++k) {
+        for (std::int64_t t = squares.end[k]; t < squares.end[k + 1]; ++t)
+            if (const std::int32_t column = squares.column[t]; column < velocities())
+                add(column, squares.factor[t]);
+            else if (column < unknowns()) {
+                const std::int32_t trace = column - velocities();
+                for (std::int64_t b = beside.end[trace]; b < beside.end[trace + 1]; ++b)
+                    add(beside.column[b], squares.factor[t] * beside.factor[b]);
+            }
+        for (const std::int32_t face : used) {
+            result[face] += squares.weight[k] * sum[face] * sum[face];
+            sum[face] = 0;
+        }
+        used.clear();
+    }
+    for (const auto& face : whole.columns)
+        for (int slot = 0; slot < UnitFace::traces; ++slot)
+            if (face[slot] < unknowns()) {
+                const std::int32_t trace = face[slot] - velocities();
+                for (std::int64_t b = beside.end[trace]; b < beside.end[trace + 1]; ++b)
+                    if (own[beside.column[b]])
+                        result[beside.column[b]] += beside.factor[b] * beside.factor[b] * unit_face().stiffness(slot, slot);
+            }
+    return result;
+}
+
+template <int D>
 FormBuilder<D>::FormBuilder(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
                             const PartBorders<D>& borders, const GapDrags<D>& gaps)
     : grid_(grid), solids_(solids), complex_(complex), index_(complex.index), borders_(borders), gaps_(gaps), planes_(grid)
@@ -395,7 +440,7 @@ void FormBuilder<D>::close_columns()
         std::for_each(columns.begin(), columns.end(), close);
 }
 
-/// Faces by traces.
+/// Faces by traces, as a linear function has them: in a strip along a wall a trace goes with the strip's face.
 template <int D>
 void FormBuilder<D>::find_beside()
 {
@@ -420,9 +465,20 @@ void FormBuilder<D>::find_beside()
     form_.beside.factor.resize(begin.back());
     std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
     for_each_pair([&](std::int32_t trace, std::int32_t face) {
+        Vec<D> way = form_.faces[face].centroid - form_.traces[trace].at;
+        way[form_.faces[face].axis] = 0;
+        for (int axis = 0; axis < D; ++axis)
+            if (grid_.periodic(axis))
+                way[axis] -= grid_.cells()[axis] * std::round(way[axis] / grid_.cells()[axis]);
         form_.beside.column[next[trace]] = face;
-        form_.beside.factor[next[trace]++] = 1.0 / static_cast<double>(begin[trace + 1] - begin[trace]);
+        form_.beside.factor[next[trace]++] = 1 / std::max(way.norm(), viscous_parameters.same_place);
     });
+    for (std::size_t trace = 0; trace + 1 < begin.size(); ++trace) {
+        const std::span<double> share = std::span(form_.beside.factor).subspan(begin[trace], begin[trace + 1] - begin[trace]);
+        const double sum = std::accumulate(share.begin(), share.end(), 0.0);
+        for (double& one : share)
+            one /= sum;
+    }
 }
 
 template <int D>

@@ -53,6 +53,12 @@ struct RowList {
     double value(int row, std::span<const double> x) const;
 };
 
+/// The squares of a face with an element of its own, from one to before another.
+struct FormElement {
+    std::int32_t face;
+    std::int64_t first, last;
+};
+
 /// Columns: the velocity of each face, then the traces, then the twists of the solids. After them are those that `squares` and `whole` have besides, each a function
 /// of the others: `derived`, then the moments of the whole faces.
 template <int D>
@@ -64,8 +70,9 @@ struct ViscousForm {
     SquareSum squares; ///< no weight is negative
     RowList derived;   ///< of columns
     WholeFaces whole;
-    RowList beside; ///< of each trace: the velocities of the faces that have it, by equal shares; for preconditioners
-    RowList outflow;   ///< of each cell: what the faces and the walls' motion take out of it
+    std::vector<FormElement> elements; ///< of the other faces with traces, 3D
+    RowList beside;  ///< of each trace: the velocities of the faces that have it, by equal shares; for preconditioners
+    RowList outflow; ///< of each cell: what the faces and the walls' motion take out of it
     /// What the squares lack of 2 |e|^2, e the rate of strain: a form of the solids' twists, of either sign. With it a rotation of all dissipates nothing.
     SquareSum rotation;
 
@@ -83,6 +90,8 @@ struct ViscousForm {
     SquareSum plain_squares() const;
     /// Of its matrix, nearly: where a row has two derived columns of one column, the sum of their squares.
     std::vector<double> diagonal() const;
+    /// The same of velocities that traces follow as `beside` says.
+    std::vector<double> followed_diagonal(const std::vector<double>& diagonal) const;
 
 private:
     std::vector<double> with_derived(std::span<const double> x) const;

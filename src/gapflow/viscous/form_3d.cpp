@@ -303,8 +303,10 @@ void FormBuilder<3>::add_face(std::int32_t number)
                 row.add(values[k], factors[static_cast<Eigen::Index>(k)]);
         return row;
     };
+    const std::int64_t first = form_.squares.rows();
     for (int k = 0; k < element.rows.rows(); ++k)
         form_.squares.add((1 - face.gap) * face.length * element.weight[k], combined(element.rows.row(k)));
+    form_.elements.push_back({number, first, form_.squares.rows()});
     for (int k = 0; k < 2; ++k) {
         Row moment = combined(element.moment.row(k));
         moment.merge();

@@ -212,10 +212,11 @@ private:
     std::vector<std::vector<const PartFace<D>*>> polygons_;                          ///< of each face that is not whole, 3D
     std::array<std::vector<std::int32_t>, D> vertex_trace_;                          ///< by component and vertex
     std::map<std::pair<std::int32_t, int>, std::int32_t> stretch_trace_;
-    std::array<std::array<std::vector<std::int32_t>, D>, D> edge_column_; ///< by component, the edge's axis and its low vertex, 3D
+    std::array<std::array<std::vector<std::int32_t>, D>, D>
+        edge_column_; ///< by component, the edge's axis and its low vertex, 3D
     std::vector<Row> derived_;
-    std::vector<std::int32_t> whole_element_;                      ///< of each face: its number in ViscousForm::whole; -1: none
-    std::vector<std::array<Row, D>> moment_;                       ///< of each face without
+    std::vector<std::int32_t> whole_element_; ///< of each face: its number in ViscousForm::whole; -1: none
+    std::vector<std::array<Row, D>> moment_;  ///< of each face without
     std::vector<std::pair<std::int32_t, std::int32_t>> trace_face_; ///< traces of faces that are not whole
 };
 
