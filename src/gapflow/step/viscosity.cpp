@@ -110,7 +110,7 @@ public:
     {
         const auto one = solve.solve(start, share_ * load);
         const Vector middle = start + again_ * (one.y - start);
-        const auto two = solve.solve(middle, share_ * load);
+        const auto two = solve.solve(middle, share_ * load, &one);
         first_ = one.y;
         end = two.y;
         pressure = again_ * one.pressure + two.pressure;

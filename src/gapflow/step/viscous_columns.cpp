@@ -171,33 +171,77 @@ void ViscousColumns<D>::for_each_term(int form_column, const F& f) const
 template <int D>
 void ViscousColumns<D>::fill_form()
 {
-    const auto fill = [&](const SquareSum& sum, bool roots, Rows& to) {
-        std::vector<Eigen::Triplet<double>> entries;
-        for (std::int64_t row = 0; row < sum.rows(); ++row)
-            for (std::int64_t t = sum.end[row]; t < sum.end[row + 1]; ++t)
-                for_each_term(sum.column[t], [&](int column, double factor) {
-                    entries.emplace_back(static_cast<int>(row), column,
-                                         (roots ? std::sqrt(sum.weight[row]) : 1.0) * factor * sum.factor[t]);
-                });
-        to.resize(static_cast<int>(sum.rows()), columns());
-        to.setFromTriplets(entries.begin(), entries.end());
-    };
-    fill(form_.squares, true, squares_);
-    Rows rotation;
-    fill(form_.rotation, false, rotation);
-    Eigen::VectorXd weight(form_.rotation.rows());
-    for (Eigen::Index k = 0; k < weight.size(); ++k)
-        weight[k] = form_.rotation.weight[k];
-    rotation_ = Rows(rotation.transpose()) * Rows(weight.asDiagonal() * rotation);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(form_.columns() + form_.columns() / 8);
+    for (int row = 0; row < form_.columns(); ++row)
+        for_each_term(row, [&](int column, double factor) { entries.emplace_back(row, column, factor); });
+    to_form_.resize(form_.columns(), columns());
+    to_form_.setFromTriplets(entries.begin(), entries.end());
 }
 
 template <int D>
-Eigen::VectorXd ViscousColumns<D>::to_form(const Vector& x) const
+auto ViscousColumns<D>::in_columns(const SquareSum& sum, bool roots) const -> Rows
 {
-    Vector y = Vector::Zero(form_.columns());
-    for (int column = 0; column < form_.columns(); ++column)
-        for_each_term(column, [&](int own, double factor) { y[column] += factor * x[own]; });
-    return y;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::int64_t row = 0; row < sum.rows(); ++row)
+        for (std::int64_t t = sum.end[row]; t < sum.end[row + 1]; ++t)
+            for_each_term(sum.column[t], [&](int column, double factor) {
+                entries.emplace_back(static_cast<int>(row), column,
+                                     (roots ? std::sqrt(sum.weight[row]) : 1.0) * factor * sum.factor[t]);
+            });
+    Rows rows(static_cast<int>(sum.rows()), columns());
+    rows.setFromTriplets(entries.begin(), entries.end());
+    return rows;
+}
+
+template <int D>
+auto ViscousColumns<D>::squares() const -> Rows
+{
+    return in_columns(form_.plain_squares(), true);
+}
+
+template <int D>
+auto ViscousColumns<D>::rotation() const -> Rows
+{
+    const Rows rows = in_columns(form_.rotation, false);
+    const Eigen::VectorXd weight = Eigen::VectorXd::Map(form_.rotation.weight.data(), form_.rotation.rows());
+    return Rows(rows.transpose()) * Rows(weight.asDiagonal() * rows);
+}
+
+template <int D>
+Eigen::VectorXd ViscousColumns<D>::friction(const Vector& x) const
+{
+    const Vector u = to_form_ * x;
+    Vector by(u.size());
+    form_.product({u.data(), static_cast<std::size_t>(u.size())}, {by.data(), static_cast<std::size_t>(by.size())});
+    return to_form_.transpose() * by;
+}
+
+template <int D>
+Eigen::VectorXd ViscousColumns<D>::diagonal() const
+{
+    std::vector<double> of_form = form_.diagonal();
+    const std::vector<double> followed = form_.followed_diagonal(of_form);
+    std::copy(followed.begin(), followed.end(), of_form.begin());
+    Vector diagonal = Vector::Zero(columns());
+    for (int row = 0; row < form_.columns(); ++row)
+        for (typename Rows::InnerIterator entry(to_form_, row); entry; ++entry)
+            diagonal[entry.col()] += of_form[row] * entry.value() * entry.value();
+    return diagonal;
+}
+
+template <int D>
+auto ViscousColumns<D>::means() const -> Rows
+{
+    const RowList& beside = form_.beside;
+    Rows mean(static_cast<int>(form_.traces.size()), form_.columns());
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(beside.column.size());
+    for (int row = 0; row < beside.rows(); ++row)
+        for (std::int64_t t = beside.end[row]; t < beside.end[row + 1]; ++t)
+            entries.emplace_back(row, beside.column[t], beside.factor[t]);
+    mean.setFromTriplets(entries.begin(), entries.end());
+    return mean * to_form_;
 }
 
 template <int D>

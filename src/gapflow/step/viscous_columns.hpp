@@ -39,11 +39,19 @@ public:
     /// D q + K V of all rows of the coupled system.
     const Rows& outflow() const { return outflow_; }
     /// Roots of the weights times the rows of the form's squares.
-    const Rows& squares() const { return squares_; }
+    Rows squares() const;
     /// The form's part that is not a sum of squares.
-    const Rows& rotation() const { return rotation_; }
-    /// The form's columns.
-    Vector to_form(const Vector& x) const;
+    Rows rotation() const;
+    /// The form's columns of these.
+    const Rows& form() const { return to_form_; }
+    Vector to_form(const Vector& x) const { return to_form_ * x; }
+    /// Derivatives of the form.
+    Vector friction(const Vector& x) const;
+    /// Its diagonal, nearly. Of edges whose faces have traces beside them, with the traces at the means of the faces beside them.
+    Vector diagonal() const;
+    /// Of traces: the means of the velocities beside them.
+    Rows means() const;
+    const ViscousForm<D>& of_form() const { return form_; }
     /// Of the derivatives by the form's velocities: those by the edges' fluxes.
     Vector by_fluxes(const Vector& by_form) const;
 
@@ -72,6 +80,7 @@ private:
     void find_faces();
     void fill_outflow();
     void fill_form();
+    Rows in_columns(const SquareSum& sum, bool roots) const;
     /// Terms of the form's column in these columns.
     template <class F>
     void for_each_term(int form_column, const F& f) const;
@@ -85,7 +94,7 @@ private:
     std::vector<std::vector<std::pair<int, Twist<D>>>> carried_; ///< of each edge: solid and k
     std::vector<std::vector<Through>> through_;                  ///< of each face of the form
     Eigen::SparseMatrix<double> incidence_;                      ///< unknowns x edges
-    Rows outflow_, squares_, rotation_;
+    Rows outflow_, to_form_;
 };
 
 } // namespace gapflow

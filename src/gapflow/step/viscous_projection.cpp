@@ -9,7 +9,8 @@
 namespace gapflow {
 namespace {
 
-constexpr double projection_tolerance = 1e-9; // of each residual
+constexpr double projection_tolerance = 1e-9; // of the largest residual
+constexpr double loosest = 1e-4;              // of each
 constexpr double least_body = 1e-3; // of a mode of the bodies' block, over the largest: D may take all of a light body's
 
 /// Positive, whatever light bodies lose to the volume that planes see of them: only a preconditioner.
@@ -28,9 +29,11 @@ Eigen::MatrixXd positive(const Eigen::MatrixXd& block)
 } // namespace
 
 template <int D>
-ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Vector& diagonal,
+ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns,
+                                        const Eigen::SparseMatrix<double>& free, const Vector& diagonal,
                                         const Eigen::MatrixXd& bodies)
-    : columns_(columns), diagonal_(diagonal), coupling_(std::make_unique<Coupling<D>>(at.coupling))
+    : columns_(columns), diagonal_(diagonal), traces_(columns, free, diagonal.tail(diagonal.size() - columns.edges())),
+      coupling_(std::make_unique<Coupling<D>>(at.coupling))
 {
     const Grid<D>& grid = *at.coupling.grid;
     const Eigen::MatrixXd block = positive(bodies);
@@ -112,24 +115,31 @@ ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumn
 template <int D>
 Eigen::VectorXd ViscousProjection<D>::weighted(const Vector& residual) const
 {
-    Vector z(residual.size());
-    z.head(diagonal_.size()) = residual.head(diagonal_.size()).cwiseQuotient(diagonal_);
+    Vector z = Vector::Zero(residual.size());
+    const int edges = columns_.edges();
+    z.head(edges) = residual.head(edges).cwiseQuotient(diagonal_.head(edges));
     if (const Eigen::Index n = residual.size() - diagonal_.size(); n > 0)
         z.tail(n) = bodies_.solve(residual.tail(n));
     return z;
 }
 
 template <int D>
-Eigen::VectorXd ViscousProjection<D>::project(Vector& residual, Vector& z) const
+Eigen::VectorXd ViscousProjection<D>::project(Vector& residual, Vector& z, double& largest) const
 {
-    z = weighted(residual);
+    Vector whole = residual + traces_.pulled(residual);
+    const Vector outflow = outflow_ * weighted(whole);
+    const double size = outflow.norm();
+    largest = std::max(largest, size);
     UnknownVector<D> p = columns_.to_unknowns(Vector::Zero(columns_.unknowns()));
-    const SolveReport report = solver_->solve(p, columns_.to_unknowns(outflow_ * z));
+    const SolveReport report = solver_->solve(p, columns_.to_unknowns(outflow), 0.0,
+                                              std::min(loosest, projection_tolerance * largest / std::max(size, 1e-300)));
     if (!report.converged)
         throw ComputationError("the projection of the viscous solve did not converge: " + report.message);
-    const Vector pressure = columns_.of_unknowns(p);
-    residual -= outflow_.transpose() * pressure;
-    z = weighted(residual);
+    const Vector pressure = columns_.of_unknowns(p), held = outflow_.transpose() * pressure;
+    residual -= held;
+    whole -= held;
+    z = weighted(whole);
+    traces_.follow(residual, z);
     return pressure;
 }
 

@@ -1,9 +1,9 @@
 // Velocities without outflow, for the viscous solve: of a residual r the least of 1/2 z . G z - r . z among z with D q + K V = 0. G is the diagonal of the
-// system for edges and traces, and the bodies' own block. The multipliers are pressures of a coupled system with the conductances that this leaves.
+// system for edges, and the bodies' own block; traces follow. The multipliers are pressures of a coupled system with the conductances that this leaves.
 #pragma once
 
 #include "gapflow/solver/solver.hpp"
-#include "gapflow/step/viscous_columns.hpp"
+#include "gapflow/step/viscous_traces.hpp"
 
 #include <memory>
 
@@ -14,18 +14,20 @@ class ViscousProjection {
 public:
     using Vector = Eigen::VectorXd;
 
-    /// `diagonal`: of edges and traces; `bodies`: the block of the free bodies' admissible twists.
-    ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Vector& diagonal,
-                      const Eigen::MatrixXd& bodies);
+    /// `diagonal`: of edges and traces; `bodies`: the block of the free bodies' admissible twists; `free`: columns of the unknowns.
+    ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free,
+                      const Vector& diagonal, const Eigen::MatrixXd& bodies);
 
-    /// z, and takes the pressure's part out of the residual of edges, traces and free twists. Returns the pressure.
-    Vector project(Vector& residual, Vector& z) const;
+    /// z, and takes the pressure's part out of the residual of edges, traces and free twists. Returns the pressure. `largest`: outflow of the residuals so far, of
+    /// which the projection's is a part.
+    Vector project(Vector& residual, Vector& z, double& largest) const;
 
 private:
-    Vector weighted(const Vector& residual) const; ///< G^-1 r
+    Vector weighted(const Vector& residual) const; ///< G^-1 r of edges and twists
 
     const ViscousColumns<D>& columns_;
     Vector diagonal_;
+    ViscousTraces<D> traces_;
     Eigen::LDLT<Eigen::MatrixXd> bodies_;
     typename ViscousColumns<D>::Rows outflow_; ///< rows x unknowns
     std::unique_ptr<Coupling<D>> coupling_;

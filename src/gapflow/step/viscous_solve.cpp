@@ -11,9 +11,10 @@
 namespace gapflow {
 namespace {
 
-constexpr double penalty = 1e4;          // over what the row's own unknowns resist with
-constexpr double solve_accuracy = 1e-13; // of the square root of the energy
-constexpr double round_off = 1e-9;       // of the same, where corrections no longer become smaller
+constexpr double penalty = 1e4;              // over what the row's own unknowns resist with
+constexpr double solve_accuracy = 1e-13;     // of the square root of the energy
+constexpr double iteration_accuracy = 1e-11; // of conjugate gradients, likewise
+constexpr double round_off = 1e-9;           // of the same, where corrections no longer become smaller
 constexpr int most_corrections = 60;
 
 [[noreturn]] void fail(int iterations)
@@ -77,27 +78,44 @@ void ViscousSolve<D>::set_up_direct()
 template <int D>
 Eigen::MatrixXd ViscousSolve<D>::body_block() const
 {
+    using Rows = typename ViscousColumns<D>::Rows;
     const int first = columns_.twist(0), n = static_cast<int>(free_.cols()) - first;
     const Matrix bodies = free_.rightCols(n);
-    const typename ViscousColumns<D>::Rows rows = columns_.squares() * bodies;
-    Matrix H = bodies.transpose() * (mass_ + factor_ * Matrix(columns_.rotation())) * bodies;
-    H += factor_ * Matrix(Matrix(rows.transpose()) * Matrix(rows));
-    H += Matrix(hold_.bottomRightCorner(n, n));
-    return Eigen::MatrixXd(H);
+    const ViscousForm<D>& form = columns_.of_form();
+    const Rows of_form = columns_.form() * Rows(bodies);
+    Eigen::MatrixXd H = bodies.transpose() * mass_ * bodies;
+    H += Eigen::MatrixXd(hold_.bottomRightCorner(n, n));
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+    std::vector<int> used;
+    const auto add_squares = [&](const SquareSum& sum) {
+        for (std::int64_t k = 0; k < sum.rows(); ++k) {
+            used.clear();
+            for (std::int64_t t = sum.end[k]; t < sum.end[k + 1]; ++t)
+                if (sum.column[t] < form.columns()) // a derived one has hardly any of a free body
+                    for (typename Rows::InnerIterator entry(of_form, sum.column[t]); entry; ++entry) {
+                        row[entry.col()] += sum.factor[t] * entry.value();
+                        used.push_back(static_cast<int>(entry.col()));
+                    }
+            std::sort(used.begin(), used.end());
+            used.erase(std::unique(used.begin(), used.end()), used.end());
+            for (const int i : used)
+                for (const int j : used)
+                    H(i, j) += factor_ * sum.weight[k] * row[i] * row[j];
+            for (const int i : used)
+                row[i] = 0;
+        }
+    };
+    add_squares(form.squares);
+    add_squares(form.rotation);
+    return H;
 }
 
 template <int D>
 void ViscousSolve<D>::set_up_projected(const Placed<D>& at)
 {
-    const int first = columns_.twist(0);
-    Vector diagonal = Vector::Zero(first);
-    diagonal.head(columns_.edges()).setOnes();
-    const auto& rows = columns_.squares();
-    for (int row = 0; row < rows.outerSize(); ++row)
-        for (typename ViscousColumns<D>::Rows::InnerIterator entry(rows, row); entry; ++entry)
-            if (entry.col() < first)
-                diagonal[entry.col()] += factor_ * entry.value() * entry.value();
-    projected_ = std::make_unique<Projected>(Projected{ViscousProjection<D>(at, columns_, diagonal, body_block())});
+    Vector diagonal = factor_ * columns_.diagonal().head(columns_.twist(0));
+    diagonal.head(columns_.edges()).array() += 1;
+    projected_ = std::make_unique<Projected>(Projected{ViscousProjection<D>(at, columns_, free_, diagonal, body_block())});
 }
 
 /// Own masses, D, what gaps add; edges have the energy 1/2 n^2.
@@ -158,23 +176,21 @@ void ViscousSolve<D>::find_free(const Placed<D>& at, const std::vector<TwistMatr
 template <int D>
 Eigen::VectorXd ViscousSolve<D>::friction(const Vector& y) const
 {
-    return factor_ * (columns_.squares().transpose() * Vector(columns_.squares() * y) + columns_.rotation() * y);
+    return factor_ * columns_.friction(y);
 }
 
 template <int D>
 double ViscousSolve<D>::size(const Vector& change) const
 {
-    const Vector s = columns_.squares() * change;
-    return std::sqrt(
-        std::abs(change.dot(mass_ * change) + factor_ * (s.squaredNorm() + change.dot(Vector(columns_.rotation() * change)))));
+    return std::sqrt(std::abs(change.dot(mass_ * change + friction(change))));
 }
 
 template <int D>
-typename ViscousSolve<D>::Stage ViscousSolve<D>::solve(const Vector& y_star, const Vector& load, const Vector& traces) const
+typename ViscousSolve<D>::Stage ViscousSolve<D>::solve(const Vector& y_star, const Vector& load, const Stage* like) const
 {
     Vector base = y_star;
     base.segment(columns_.edges(), columns_.twist(0) - columns_.edges()).setZero();
-    return direct_ ? solve_direct(base, load) : solve_projected(base, load, traces);
+    return direct_ ? solve_direct(base, load) : solve_projected(base, load, like);
 }
 
 template <int D>
@@ -205,13 +221,13 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
 /// is taken out of it, so that what the projection's tolerance leaves does not grow.
 template <int D>
 typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& base, const Vector& load,
-                                                                 const Vector& traces) const
+                                                                 const Stage* like) const
 {
     constexpr int most_iterations = 3000;
     const ViscousProjection<D>& projection = projected_->projection;
     Vector x = Vector::Zero(free_.cols()); // change in the unknowns
-    if (traces.size() > 0)
-        x.segment(columns_.edges(), traces.size()) = traces;
+    if (like && like->change.size() > 0)
+        x = like->change;
     const auto product = [&](const Vector& v) {
         const Vector y = free_ * v;
         return Vector(free_.transpose() * (mass_ * y + friction(y)) + hold_ * v);
@@ -219,23 +235,27 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
     Stage stage{base, Vector::Zero(columns_.unknowns())};
     Vector r = free_.transpose() * (load - friction(base)) - product(x);
     Vector z, p;
-    double rz = 0, first = 0;
+    // Relative to the kinetic energy, or where there is none to what is gained: slip along walls that nothing resists yet has residuals of any size.
+    double rz = 0, largest_outflow = 0, scale = base.dot(mass_ * base);
+    const bool from_rest = !(scale > 0);
     for (stage.iterations = 0;; ++stage.iterations) {
-        stage.pressure += projection.project(r, z); // r without what a pressure holds
+        stage.pressure += projection.project(r, z, largest_outflow); // r without what a pressure holds
         const double next = r.dot(z);
-        first = std::max(first, next);
-        if (!(next > solve_accuracy * solve_accuracy * 1e2 * first))
+        if (next >= 0 && next <= iteration_accuracy * iteration_accuracy * scale)
             break;
-        if (stage.iterations == most_iterations)
+        if (stage.iterations == most_iterations || !(next > 0))
             fail(stage.iterations);
         p = stage.iterations == 0 ? z : Vector(z + next / rz * p);
         rz = next;
         const Vector q = product(p);
         const double step = rz / p.dot(q);
         x += step * p;
+        if (from_rest)
+            scale += step * rz;
         r -= step * q;
     }
     stage.y = base + free_ * x;
+    stage.change = x;
     return stage;
 }
 

@@ -36,9 +36,10 @@ public:
         Vector y;        ///< of all columns
         Vector pressure; ///< multipliers of the rows
         int iterations = 0;
+        Vector change{}; ///< of the unknowns; empty: not kept
     };
-    /// `traces`: a guess of theirs, may be empty. Throws ComputationError where it does not converge.
-    Stage solve(const Vector& y_star, const Vector& load, const Vector& traces = {}) const;
+    /// `like`: one whose change is a guess of this one's; null: none. Throws ComputationError where it does not converge.
+    Stage solve(const Vector& y_star, const Vector& load, const Stage* like = nullptr) const;
 
     /// T y: of edges and twists, 0 for traces.
     Vector inertia(const Vector& y) const { return mass_ * y; }
@@ -54,7 +55,7 @@ private:
     void set_up_direct();
     void set_up_projected(const Placed<D>& at);
     Stage solve_direct(const Vector& base, const Vector& load) const;
-    Stage solve_projected(const Vector& base, const Vector& load, const Vector& traces) const;
+    Stage solve_projected(const Vector& base, const Vector& load, const Stage* like) const;
     /// The square root of twice the energy that a change has, with its dissipation.
     double size(const Vector& change) const;
     /// Of the system's diagonal blocks of the free bodies, in the unknowns `free_` maps.

@@ -4,8 +4,12 @@
 
 #include "gapflow/grid/field.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 namespace gapflow {
 
@@ -28,17 +32,139 @@ double RowList::value(int row, std::span<const double> x) const
 }
 
 template <int D>
+std::vector<double> ViscousForm<D>::with_derived(std::span<const double> x) const
+{
+    std::vector<double> all(all_columns());
+    std::copy(x.begin(), x.end(), all.begin());
+    for (int row = 0; row < derived.rows(); ++row)
+        all[columns() + row] = derived.value(row, x);
+    const std::span<double> moments = std::span(all).subspan(columns() + derived.rows());
+    whole.find_moments(all, moments);
+    return all;
+}
+
+template <int D>
 void ViscousForm<D>::product(std::span<const double> x, std::span<double> y) const
 {
-    std::fill(y.begin(), y.end(), 0.0);
-    squares.add_product(x, y);
+    const std::vector<double> all = with_derived(x);
+    std::vector<double> by(all.size(), 0.0);
+    squares.add_product(all, by);
+    whole.add_product(all, std::span<const double>(by).subspan(columns() + derived.rows()), by);
+    for (int row = 0; row < derived.rows(); ++row)
+        for (std::int64_t t = derived.end[row]; t < derived.end[row + 1]; ++t)
+            by[derived.column[t]] += derived.factor[t] * by[columns() + row];
+    std::copy(by.begin(), by.begin() + columns(), y.begin());
     rotation.add_product(x, y);
 }
 
 template <int D>
 double ViscousForm<D>::energy(std::span<const double> x) const
 {
-    return 0.5 * (squares.twice(x) + rotation.twice(x));
+    std::vector<double> y(x.size());
+    product(x, y);
+    return 0.5 * std::inner_product(x.begin(), x.end(), y.begin(), 0.0);
+}
+
+template <int D>
+SquareSum ViscousForm<D>::plain_squares() const
+{
+    SquareSum sum;
+    const int first_moment_column = columns() + derived.rows();
+    const std::function<void(Row&, std::int32_t, double)> add = [&](Row& row, std::int32_t column, double factor) {
+        if (column < columns())
+            row.add(column, factor);
+        else if (column < first_moment_column) {
+            const int k = column - columns();
+            for (std::int64_t t = derived.end[k]; t < derived.end[k + 1]; ++t)
+                row.add(derived.column[t], factor * derived.factor[t]);
+        } else
+            for (int k = 0; k < UnitFace::size; ++k)
+                add(row, whole.columns[(column - first_moment_column) / 2][k],
+                    factor * unit_face().moment((column - first_moment_column) % 2, k));
+    };
+    for (std::int64_t k = 0; k < squares.rows(); ++k) {
+        Row row;
+        for (std::int64_t t = squares.end[k]; t < squares.end[k + 1]; ++t)
+            add(row, squares.column[t], squares.factor[t]);
+        sum.add(squares.weight[k], std::move(row));
+    }
+    if (whole.count() == 0)
+        return sum;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(unit_face().stiffness);
+    for (const auto& face : whole.columns)
+        for (int m = 1; m < UnitFace::size; ++m) { // without the constant
+            Row row;
+            for (int k = 0; k < UnitFace::size; ++k)
+                add(row, face[k], modes.eigenvectors()(k, m));
+            sum.add(modes.eigenvalues()[m], std::move(row));
+        }
+    return sum;
+}
+
+template <int D>
+std::vector<double> ViscousForm<D>::diagonal() const
+{
+    std::vector<double> by(all_columns(), 0.0);
+    for (std::int64_t k = 0; k < squares.rows(); ++k)
+        for (std::int64_t t = squares.end[k]; t < squares.end[k + 1]; ++t)
+            by[squares.column[t]] += squares.weight[k] * squares.factor[t] * squares.factor[t];
+    const std::size_t first = columns() + derived.rows();
+    for (std::size_t f = 0; f < whole.columns.size(); ++f)
+        for (int k = 0; k < UnitFace::size; ++k) {
+            double& sum = by[whole.columns[f][k]] += unit_face().stiffness(k, k);
+            for (int m = 0; m < 2; ++m)
+                sum += by[first + 2 * f + m] * unit_face().moment(m, k) * unit_face().moment(m, k);
+        }
+    for (int row = 0; row < derived.rows(); ++row)
+        for (std::int64_t t = derived.end[row]; t < derived.end[row + 1]; ++t)
+            by[derived.column[t]] += derived.factor[t] * derived.factor[t] * by[columns() + row];
+    by.resize(columns());
+    return by;
+}
+
+template <int D>
+std::vector<double> ViscousForm<D>::followed_diagonal(const std::vector<double>& diagonal) const
+{
+    std::vector<double> result(diagonal.begin(), diagonal.begin() + velocities());
+    std::vector<char> own(velocities(), false);
+    for (const FormElement& element : elements) {
+        own[element.face] = true;
+        result[element.face] = 0;
+    }
+    for (const auto& face : whole.columns)
+        result[face[UnitFace::traces]] = unit_face().followed;
+    std::vector<double> sum(velocities(), 0.0);
+    std::vector<std::int32_t> used;
+    const auto add = [&](std::int32_t face, double value) {
+        if (own[face]) {
+            sum[face] += value;
+            used.push_back(face);
+        }
+    };
+    for (std::int64_t k = 0; k < squares.rows(); ++k) {
+        for (std::int64_t t = squares.end[k]; t < squares.end[k + 1]; ++t)
+            if (const std::int32_t column = squares.column[t]; column < velocities())
+                add(column, squares.factor[t]);
+            else if (column < unknowns()) {
+                const std::int32_t trace = column - velocities();
+                for (std::int64_t b = beside.end[trace]; b < beside.end[trace + 1]; ++b)
+                    add(beside.column[b], squares.factor[t] * beside.factor[b]);
+            }
+        for (const std::int32_t face : used) {
+            result[face] += squares.weight[k] * sum[face] * sum[face];
+            sum[face] = 0;
+        }
+        used.clear();
+    }
+    for (const auto& face : whole.columns)
+        for (int slot = 0; slot < UnitFace::traces; ++slot)
+            if (face[slot] < unknowns()) {
+                const std::int32_t trace = face[slot] - velocities();
+                for (std::int64_t b = beside.end[trace]; b < beside.end[trace + 1]; ++b)
+                    if (own[beside.column[b]])
+                        result[beside.column[b]] += beside.factor[b] * beside.factor[b] * unit_face().stiffness(slot, slot);
+            }
+    return result;
 }
 
 template <int D>
@@ -69,6 +195,7 @@ ViscousForm<D> FormBuilder<D>::build()
     find_borders();
     find_gaps();
     moment_.resize(form_.faces.size());
+    whole_element_.assign(form_.faces.size(), -1);
     for (std::size_t face = 0; face < form_.faces.size(); ++face)
         if (form_.faces[face].compact)
             add_compact(static_cast<std::int32_t>(face));
@@ -81,6 +208,7 @@ ViscousForm<D> FormBuilder<D>::build()
     add_rotation();
     drop_unused_traces();
     close_columns();
+    find_beside();
     return std::move(form_);
 }
 
@@ -172,8 +300,8 @@ void FormBuilder<D>::add_compact(std::int32_t number)
     for (int a = 0; a < D; ++a)
         for (int end = 0; end < 2 && a != face.axis; ++end) {
             const double width = planes_.place[a][f[a] + 1] - planes_.place[a][f[a]], across = face.area / width;
-            Row row = velocity(number);
             if (is_closed_side(a, f[a] + end)) {
+                Row row = velocity(number);
                 row.add(of_side(a, f[a] + end, face.axis), -1);
                 form_.squares.add(face.length * across / (0.5 * width), row);
                 continue;
@@ -185,9 +313,9 @@ void FormBuilder<D>::add_compact(std::int32_t number)
                     : -1;
             if (other < 0)
                 continue;
-            row.add(other, -1);
             // Half of it is that of the face beyond, by its link or by its element.
-            form_.squares.add(face.length * across / (width + planes_.place[a][g[a] + 1] - planes_.place[a][g[a]]), row);
+            form_.squares.add(face.length * across / (width + planes_.place[a][g[a] + 1] - planes_.place[a][g[a]]),
+                              {{number, 1}, {other, -1}});
         }
 }
 
@@ -218,25 +346,22 @@ Row FormBuilder<D>::between(int component, int across, const Index<D>& high) con
 template <int D>
 void FormBuilder<D>::add_outflow()
 {
-    std::vector<Row> rows(form_.cells.count());
-    for (std::size_t k = 0; k < form_.faces.size(); ++k) {
-        const FormFace<D>& face = form_.faces[k];
-        if (face.low >= 0)
-            rows[face.low].add(static_cast<std::int32_t>(k), face.area);
-        if (face.high >= 0)
-            rows[face.high].add(static_cast<std::int32_t>(k), -face.area);
-    }
+    std::vector<Row> walls(form_.cells.count());
     for (int part = 0; part < complex_.parts(); ++part)
         for (const WallPatch<D>& patch : complex_.patches_of(part)) {
-            Row& row = rows[form_.cells.of_part[part]];
+            Row& row = walls[form_.cells.of_part[part]];
             const std::int32_t first = -1 - twist_size<D> * patch.solid;
             for (int k = 0; k < D; ++k)
                 row.add(first - k, patch.area[k]);
             for (int k = 0; k < spin_size<D>; ++k)
                 row.add(first - D - k, patch.moment[k]);
         }
-    for (Row& row : rows)
+    for (int cell = 0; cell < form_.cells.count(); ++cell) {
+        Row& row = walls[cell];
+        for (const CellFace& of : faces_of(cell))
+            row.add(of.face, of.sign * form_.faces[of.face].area);
         form_.outflow.add(std::move(row));
+    }
 }
 
 /// 2 |e|^2 - |grad u|^2 is the divergence of u . grad u - u div u, which on walls follows from their rotation: |omega|^2 of the solid's volume for each component normal
@@ -267,9 +392,20 @@ void FormBuilder<D>::drop_unused_traces()
 {
     const std::int32_t first = form_.velocities();
     std::vector<std::int32_t> number(form_.traces.size(), -1);
-    for (const std::int32_t column : form_.squares.column)
-        if (column >= first)
+    for (Row& row : derived_)
+        form_.derived.add(std::move(row));
+    const auto for_each_column = [&](const auto& f) {
+        for (std::vector<std::int32_t>* columns : {&form_.squares.column, &form_.derived.column})
+            for (std::int32_t& column : *columns)
+                f(column);
+        for (auto& columns : form_.whole.columns)
+            for (std::int32_t& column : columns)
+                f(column);
+    };
+    for_each_column([&](std::int32_t column) {
+        if (column >= first && column < first_derived)
             number[column - first] = 0;
+    });
     std::int32_t n = 0;
     for (std::size_t k = 0; k < number.size(); ++k)
         if (number[k] == 0) {
@@ -277,18 +413,72 @@ void FormBuilder<D>::drop_unused_traces()
             number[k] = n++;
         }
     form_.traces.resize(n);
-    for (std::int32_t& column : form_.squares.column)
-        if (column >= first)
+    const auto renumber = [&](std::int32_t& column) {
+        if (column >= first && column < first_derived)
             column = first + number[column - first];
+    };
+    for_each_column(renumber);
+    for (auto& [trace, face] : trace_face_)
+        renumber(trace);
 }
 
 template <int D>
 void FormBuilder<D>::close_columns()
 {
-    for (std::vector<std::int32_t>* columns : {&form_.squares.column, &form_.rotation.column, &form_.outflow.column})
-        for (std::int32_t& column : *columns)
-            if (column < 0)
-                column = form_.unknowns() - 1 - column;
+    const auto close = [&](std::int32_t& column) {
+        if (column >= first_moment)
+            column += form_.columns() + form_.derived.rows() - first_moment;
+        else if (column >= first_derived)
+            column += form_.columns() - first_derived;
+        else if (column < 0)
+            column = form_.unknowns() - 1 - column;
+    };
+    for (std::vector<std::int32_t>* columns :
+         {&form_.squares.column, &form_.rotation.column, &form_.outflow.column, &form_.derived.column})
+        std::for_each(columns->begin(), columns->end(), close);
+    for (auto& columns : form_.whole.columns)
+        std::for_each(columns.begin(), columns.end(), close);
+}
+
+/// Faces by traces, as a linear function has them: in a strip along a wall a trace goes with the strip's face.
+template <int D>
+void FormBuilder<D>::find_beside()
+{
+    const std::int32_t first = form_.velocities(), last = form_.unknowns();
+    std::sort(trace_face_.begin(), trace_face_.end());
+    trace_face_.erase(std::unique(trace_face_.begin(), trace_face_.end()), trace_face_.end());
+    std::vector<std::int64_t> begin(form_.traces.size() + 1, 0);
+    const auto for_each_pair = [&](const auto& f) {
+        for (const auto& columns : form_.whole.columns)
+            for (int k = 0; k < UnitFace::traces; ++k)
+                if (columns[k] < last)
+                    f(columns[k] - first, columns[UnitFace::traces]);
+        for (const auto& [trace, face] : trace_face_)
+            if (trace >= first)
+                f(trace - first, face);
+    };
+    for_each_pair([&](std::int32_t trace, std::int32_t) { ++begin[trace + 1]; });
+    for (std::size_t k = 1; k < begin.size(); ++k)
+        begin[k] += begin[k - 1];
+    form_.beside.end = begin;
+    form_.beside.column.resize(begin.back());
+    form_.beside.factor.resize(begin.back());
+    std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
+    for_each_pair([&](std::int32_t trace, std::int32_t face) {
+        Vec<D> way = form_.faces[face].centroid - form_.traces[trace].at;
+        way[form_.faces[face].axis] = 0;
+        for (int axis = 0; axis < D; ++axis)
+            if (grid_.periodic(axis))
+                way[axis] -= grid_.cells()[axis] * std::round(way[axis] / grid_.cells()[axis]);
+        form_.beside.column[next[trace]] = face;
+        form_.beside.factor[next[trace]++] = 1 / std::max(way.norm(), viscous_parameters.same_place);
+    });
+    for (std::size_t trace = 0; trace + 1 < begin.size(); ++trace) {
+        const std::span<double> share = std::span(form_.beside.factor).subspan(begin[trace], begin[trace + 1] - begin[trace]);
+        const double sum = std::accumulate(share.begin(), share.end(), 0.0);
+        for (double& one : share)
+            one /= sum;
+    }
 }
 
 template <int D>

@@ -11,6 +11,7 @@
 #include "gapflow/complex/part_borders.hpp"
 #include "gapflow/viscous/fluid_cells.hpp"
 #include "gapflow/viscous/squares.hpp"
+#include "gapflow/viscous/whole_faces.hpp"
 
 #include <span>
 #include <vector>
@@ -52,7 +53,14 @@ struct RowList {
     double value(int row, std::span<const double> x) const;
 };
 
-/// Columns: the velocity of each face, then the traces, then the twists of the solids.
+/// The squares of a face with an element of its own, from one to before another.
+struct FormElement {
+    std::int32_t face;
+    std::int64_t first, last;
+};
+
+/// Columns: the velocity of each face, then the traces, then the twists of the solids. After them are those that `squares` and `whole` have besides, each a function
+/// of the others: `derived`, then the moments of the whole faces.
 template <int D>
 struct ViscousForm {
     FluidCells<D> cells;
@@ -60,19 +68,33 @@ struct ViscousForm {
     std::vector<FormTrace<D>> traces;
     int solids = 0;
     SquareSum squares; ///< no weight is negative
-    RowList outflow;   ///< of each cell: what the faces and the walls' motion take out of it
+    RowList derived;   ///< of columns
+    WholeFaces whole;
+    std::vector<FormElement> elements; ///< of the other faces with traces, 3D
+    RowList beside;  ///< of each trace: the velocities of the faces that have it, by equal shares; for preconditioners
+    RowList outflow; ///< of each cell: what the faces and the walls' motion take out of it
     /// What the squares lack of 2 |e|^2, e the rate of strain: a form of the solids' twists, of either sign. With it a rotation of all dissipates nothing.
     SquareSum rotation;
 
     int velocities() const { return static_cast<int>(faces.size()); }
     int unknowns() const { return velocities() + static_cast<int>(traces.size()); }
     int columns() const { return unknowns() + twist_size<D> * solids; }
+    int all_columns() const { return columns() + derived.rows() + 2 * whole.count(); }
     int twist_column(int solid, int component) const { return unknowns() + twist_size<D> * solid + component; }
 
     /// y = A x of all columns: the entries of the solids' twists are the wrenches with which the fluid resists them, but for its pressure.
     void product(std::span<const double> x, std::span<double> y) const;
     /// E of all columns.
     double energy(std::span<const double> x) const;
+    /// All of it but the rotation, in `columns()` alone.
+    SquareSum plain_squares() const;
+    /// Of its matrix, nearly: where a row has two derived columns of one column, the sum of their squares.
+    std::vector<double> diagonal() const;
+    /// The same of velocities that traces follow as `beside` says.
+    std::vector<double> followed_diagonal(const std::vector<double>& diagonal) const;
+
+private:
+    std::vector<double> with_derived(std::span<const double> x) const;
 };
 
 /// Of a whole domain on one rank. `borders`: those of the complex's parts, see build_complex; `gaps`: the dissipation of what is narrower than a cell, which

@@ -226,11 +226,8 @@ Row FormBuilder<3>::of_vertex(std::int32_t vertex, int component)
     const Index<3> v = index_.index(vertex);
     if (on_closed_side(v))
         return of_sides(v, component);
-    std::int32_t& trace = vertex_trace_[component][vertex];
-    if (trace < 0)
-        trace = new_trace(component, vertex_place(v));
     Row row;
-    row.add(trace, 1);
+    row.add(vertex_column(vertex, component), 1);
     return row;
 }
 
@@ -239,18 +236,20 @@ Row FormBuilder<3>::of_stretch(std::int32_t number, int component)
 {
     const EdgeStretch stretch = stretches_[number];
     const Index<3> e = index_.index(stretch.edge);
+    const PlanePlaces& places = planes_.place[stretch.axis];
+    Row row;
+    if (std::abs(stretch.from - places[e[stretch.axis]]) + std::abs(stretch.to - places[e[stretch.axis] + 1]) <
+        viscous_parameters.same_place) {
+        const std::int32_t column = edge_column(stretch.axis, stretch.edge, component);
+        if (column >= first_derived)
+            return derived_[column - first_derived];
+        row.add(column, 1);
+        return row;
+    }
     const int across = 3 - component - stretch.axis;
     if (is_closed_side(across, e[across]))
         return of_side(across, e[across], component);
-    bool compact = false;
-    for (int side = 0; side < 2; ++side) {
-        const Index<3> f = index_.wrapped(Index<3>(e - side * step<3>(across)));
-        Index<3> cell = f;
-        cell[component] = std::min(f[component], index_.high()[component] - 1);
-        const std::int32_t face = index_.holds(cell) ? whole_face_[component][index_(f)] : -1;
-        compact = compact || (face >= 0 && form_.faces[face].compact);
-    }
-    if (compact)
+    if (is_compact_edge(e, component, across))
         return between(component, across, e);
     const auto [at, is_new] = stretch_trace_.emplace(std::make_pair(number, component), 0);
     if (is_new) {
@@ -258,7 +257,6 @@ Row FormBuilder<3>::of_stretch(std::int32_t number, int component)
         middle[stretch.axis] = 0.5 * (stretch.from + stretch.to);
         at->second = new_trace(component, middle, stretch.axis, stretch.to - stretch.from);
     }
-    Row row;
     row.add(at->second, 1);
     return row;
 }
@@ -266,6 +264,8 @@ Row FormBuilder<3>::of_stretch(std::int32_t number, int component)
 template <>
 void FormBuilder<3>::add_face(std::int32_t number)
 {
+    if (add_whole_face(number))
+        return;
     const FormFace<3>& face = form_.faces[number];
     const std::vector<BorderSegment<3>> segments =
         face.whole ? square_of(face)
@@ -291,6 +291,10 @@ void FormBuilder<3>::add_face(std::int32_t number)
         values.push_back(to);
     }
     values.push_back(velocity(number));
+    for (const Row& value : values)
+        for (const Term& term : value.terms())
+            if (term.column >= form_.velocities())
+                trace_face_.emplace_back(term.column, number);
     const PlaneElement element = plane_element(sides);
     const auto combined = [&](const auto& factors) {
         Row row;
@@ -299,8 +303,10 @@ void FormBuilder<3>::add_face(std::int32_t number)
                 row.add(values[k], factors[static_cast<Eigen::Index>(k)]);
         return row;
     };
+    const std::int64_t first = form_.squares.rows();
     for (int k = 0; k < element.rows.rows(); ++k)
         form_.squares.add((1 - face.gap) * face.length * element.weight[k], combined(element.rows.row(k)));
+    form_.elements.push_back({number, first, form_.squares.rows()});
     for (int k = 0; k < 2; ++k) {
         Row moment = combined(element.moment.row(k));
         moment.merge();

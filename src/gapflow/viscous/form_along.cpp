@@ -47,6 +47,16 @@ Vec<D> FormBuilder<D>::centroid_in(const CellFace& of, std::int32_t cell) const
 template <int D>
 void FormBuilder<D>::add_plain_along(std::int32_t cell)
 {
+    if (const std::span<const CellFace> faces = faces_of(cell); faces.size() == 2 * D && form_.cells.whole[cell]) {
+        std::array<std::array<const CellFace*, 2>, D> at{};
+        for (const CellFace& of : faces)
+            at[form_.faces[of.face].axis][of.sign > 0] = &of;
+        for (int d = 0; d < D; ++d)
+            if (at[d][0] && at[d][1])
+                form_.squares.add(1 / shapes_[cell].volume, {{at[d][0]->face, -form_.faces[at[d][0]->face].area},
+                                                             {at[d][1]->face, form_.faces[at[d][1]->face].area}});
+        return;
+    }
     std::array<Row, D> rows;
     for (const CellFace& of : faces_of(cell))
         rows[form_.faces[of.face].axis].add(of.face, of.sign * form_.faces[of.face].area);
@@ -74,6 +84,9 @@ void FormBuilder<D>::add_along(std::int32_t cell)
     for (const CellFace& of : faces_of(cell))
         if (form_.faces[of.face].compact)
             return add_plain_along(cell);
+    if constexpr (D == 3)
+        if (add_whole_along(cell))
+            return;
     if (!is_closed_border(cell))
         return;
     const CellShape<D>& shape = shapes_[cell];
@@ -93,10 +106,10 @@ void FormBuilder<D>::add_along(std::int32_t cell)
                 for (int i = 0; i < D; ++i) {
                     linear[i].add(of.face, flux * r[i]);
                     if (i != d)
-                        linear[i].add(moment_[of.face][i], of.sign);
+                        linear[i].add(moment_of(of.face, i), of.sign);
                 }
             } else
-                volume.add(moment_[of.face][d], of.sign);
+                volume.add(moment_of(of.face, d), of.sign);
             volume.add(of.face, flux * r[d]);
         }
         for (const WallPiece<D>& wall : walls_of(cell))

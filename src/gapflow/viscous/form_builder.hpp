@@ -90,6 +90,9 @@ std::vector<std::array<Vec<D>, D>> simplices(const std::vector<Vec<D>>& points)
     }
 }
 
+/// Numbers of derived columns and of moments until all columns are known.
+inline constexpr std::int32_t first_derived = 1 << 29, first_moment = 1 << 30;
+
 template <int D>
 class FormBuilder {
 public:
@@ -136,9 +139,18 @@ private:
         return form_.unknowns() - 1;
     }
     Vec<D> arm(std::int32_t solid, const Vec<D>& x) const;
+    /// Columns of a vertex and of a whole edge, derived where they are no traces, 3D.
+    std::int32_t vertex_column(std::int32_t vertex, int component);
+    std::int32_t edge_column(int axis, std::int32_t edge, int component);
+    std::int32_t derive(Row row);
+    bool is_compact_edge(const Index<D>& edge, int component, int across) const;
+    /// First moment of a face's velocity about its centroid.
+    Row moment_of(std::int32_t face, int axis) const;
 
     // Squares.
     void add_face(std::int32_t face);
+    bool add_whole_face(std::int32_t face);
+    bool add_whole_along(std::int32_t cell);
     void add_compact(std::int32_t face);
     void add_along(std::int32_t cell);
     void add_plain_along(std::int32_t cell);
@@ -154,6 +166,7 @@ private:
     void add_rotation();
     void close_columns();
     void drop_unused_traces();
+    void find_beside();
 
     /// A face of a cell: its number, and 1 on the cell's high side, -1 on its low side.
     struct CellFace {
@@ -199,7 +212,12 @@ private:
     std::vector<std::vector<const PartFace<D>*>> polygons_;                          ///< of each face that is not whole, 3D
     std::array<std::vector<std::int32_t>, D> vertex_trace_;                          ///< by component and vertex
     std::map<std::pair<std::int32_t, int>, std::int32_t> stretch_trace_;
-    std::vector<std::array<Row, D>> moment_; ///< of each face: first moments of its velocity about its centroid, by axis
+    std::array<std::array<std::vector<std::int32_t>, D>, D>
+        edge_column_; ///< by component, the edge's axis and its low vertex, 3D
+    std::vector<Row> derived_;
+    std::vector<std::int32_t> whole_element_; ///< of each face: its number in ViscousForm::whole; -1: none
+    std::vector<std::array<Row, D>> moment_;  ///< of each face without
+    std::vector<std::pair<std::int32_t, std::int32_t>> trace_face_; ///< traces of faces that are not whole
 };
 
 template <>
@@ -240,6 +258,14 @@ template <>
 Row FormBuilder<3>::of_stretch(std::int32_t stretch, int component);
 template <>
 void FormBuilder<3>::add_face(std::int32_t face);
+template <>
+std::int32_t FormBuilder<3>::vertex_column(std::int32_t vertex, int component);
+template <>
+std::int32_t FormBuilder<3>::edge_column(int axis, std::int32_t edge, int component);
+template <>
+bool FormBuilder<3>::add_whole_face(std::int32_t face);
+template <>
+bool FormBuilder<3>::add_whole_along(std::int32_t cell);
 template <>
 void FormBuilder<3>::add_turning();
 template <>

@@ -31,6 +31,16 @@ void SquareSum::add(double row_weight, Row row)
     end.push_back(static_cast<std::int64_t>(column.size()));
 }
 
+void SquareSum::add(double row_weight, std::initializer_list<Term> terms)
+{
+    for (const Term& term : terms) {
+        column.push_back(term.column);
+        factor.push_back(term.factor);
+    }
+    weight.push_back(row_weight);
+    end.push_back(static_cast<std::int64_t>(column.size()));
+}
+
 void SquareSum::add_product(std::span<const double> x, std::span<double> y) const
 {
     for (std::int64_t k = 0; k < rows(); ++k) {

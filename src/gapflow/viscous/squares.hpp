@@ -4,6 +4,7 @@
 #include <Eigen/Sparse>
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct SquareSum {
     std::int64_t rows() const { return static_cast<std::int64_t>(weight.size()); }
     /// Rows of weight 0 or without terms are left out.
     void add(double weight, Row row);
+    /// A row of columns that differ.
+    void add(double weight, std::initializer_list<Term> terms);
     /// y += sum w r^T (r x), the gradient of E.
     void add_product(std::span<const double> x, std::span<double> y) const;
     /// 2 E.

@@ -20,7 +20,8 @@ public:
     explicit Stokes(const ViscousForm<D>& form, const std::vector<char>& known = {})
         : form_(form), n_(form.unknowns()), columns_(form.columns())
     {
-        SquareSum sum = form.squares;
+        const SquareSum plain = form.plain_squares();
+        SquareSum sum = plain;
         cells_ = form.outflow.rows();
         std::vector<Eigen::Triplet<double>> out;
         for (int c = 0; c < cells_; ++c) {
@@ -33,7 +34,7 @@ public:
         }
         outflow_.resize(cells_, columns_);
         outflow_.setFromTriplets(out.begin(), out.end());
-        all_ = form.squares.assembled(columns_);
+        all_ = plain.assembled(columns_);
         const Sparse augmented = sum.assembled(columns_);
         for (int k = 0; k < columns_; ++k)
             if (k < n_ && (known.empty() || !known[k]) && augmented.coeff(k, k) > 0)
