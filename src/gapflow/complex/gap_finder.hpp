@@ -351,7 +351,8 @@ private:
         const S start = place.middle + (side - 0.5);
         Place node = place.nodes, x = step_along<D, S>(centroid, start, place.way);
         node[piece.axis] += (side - 0.5) * place.delta;
-        S foot = 0.0, share = 1.0;
+        // Faces along the gap know nothing of it: their way is next to none.
+        S foot = 0.0, share = 1.0 - share_up_to(S(place.e[piece.axis]), 0.0, parameters.least_facing);
         for (int pass = 0; pass < passes_to_feet; ++pass) {
             const WallPoint<D, S> from = place.walls.nearest(0, x, faces[0]), to = place.walls.nearest(1, x, faces[1]);
             share *= share_of_facing(S(-from.normal.dot(to.normal)));
