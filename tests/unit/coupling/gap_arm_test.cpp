@@ -118,8 +118,8 @@ TEST(GapArms, CylinderInAContainer)
 {
     for (const double gap : {1e-2, 1e-3, 1e-5, 1e-7}) {
         const Errors errors = worst(gap, true), plain = worst(gap, false);
-        EXPECT_LT(errors.normal, 0.006) << gap;
-        EXPECT_LT(errors.along, 0.004) << gap;
+        EXPECT_LT(errors.normal, 0.003) << gap;
+        EXPECT_LT(errors.along, 0.002) << gap;
         if (gap < 1e-4) {
             EXPECT_GT(plain.normal, 0.02) << "plain parts, " << gap;
         }
