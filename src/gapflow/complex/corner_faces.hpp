@@ -166,6 +166,13 @@ private:
                       cell = planes_.cell_of(t, corner.at[t]);
             for (const int sign : {-1, 1}) {
                 Ray r = ray(corner, t, sign);
+                if constexpr (D == 3) {
+                    const double across = 1 - corner.along[d] * corner.along[d];
+                    if (!(across > round_off))
+                        continue;
+                    r.share *= across * across;
+                    r.turn -= 4 * corner.along[d] / across * corner.along.cross(unit<3>(d));
+                }
                 if (!(r.share > 0))
                     continue;
                 r.turn += turn;

@@ -169,7 +169,8 @@ TEST(Circulation, ForcesAtMouthsAreDifferencesOfTheRouthian)
         plate.quaternion = {std::sqrt(1 - x * x - y * y - z * z), x, y, z};
         scene.bodies.push_back(plate);
     }
-    check_force_at_mouths<3>(scene, 4e-4);
+    // T jumps by some 1e-5 of itself where an edge's plane begins to divide a face beside another wall, which may lie between the two places: 1.0e-3.
+    check_force_at_mouths<3>(scene, 1.5e-3);
 }
 
 template <int D>
