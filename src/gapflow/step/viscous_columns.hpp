@@ -42,8 +42,12 @@ public:
     const Rows& squares() const { return squares_; }
     /// The form's part that is not a sum of squares.
     const Rows& rotation() const { return rotation_; }
-    /// The form's columns.
+    /// The form's columns, without what is given.
     Vector to_form(const Vector& x) const;
+    /// Of the derivatives by the form's columns: those by these.
+    Vector from_form(const Vector& by_form) const;
+    /// The form's columns that are given: velocities of inflow.
+    Vector given(const GivenSides<D>& sides) const;
     /// Of the derivatives by the form's velocities: those by the edges' fluxes.
     Vector by_fluxes(const Vector& by_form) const;
 

@@ -12,6 +12,7 @@
 #include "gapflow/viscous/fluid_cells.hpp"
 #include "gapflow/viscous/squares.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -59,8 +60,9 @@ struct ViscousForm {
     std::vector<FormFace<D>> faces;
     std::vector<FormTrace<D>> traces;
     int solids = 0;
-    SquareSum squares; ///< no weight is negative
-    RowList outflow;   ///< of each cell: what the faces and the walls' motion take out of it
+    SquareSum squares;                      ///< no weight is negative
+    std::array<std::int64_t, 2> gap_rows{}; ///< those of gaps in closed form: the first one, and the first one after them
+    RowList outflow;                        ///< of each cell: what the faces and the walls' motion take out of it
     /// What the squares lack of 2 |e|^2, e the rate of strain: a form of the solids' twists, of either sign. With it a rotation of all dissipates nothing.
     SquareSum rotation;
 

@@ -43,7 +43,9 @@ struct SquareSum {
     /// Rows of weight 0 or without terms are left out.
     void add(double weight, Row row);
     /// y += sum w r^T (r x), the gradient of E.
-    void add_product(std::span<const double> x, std::span<double> y) const;
+    void add_product(std::span<const double> x, std::span<double> y) const { add_product(x, y, 0, rows()); }
+    /// The same of the rows from `first` until `last`.
+    void add_product(std::span<const double> x, std::span<double> y, std::int64_t first, std::int64_t last) const;
     /// 2 E.
     double twice(std::span<const double> x) const;
     /// Its matrix, for solvers and preconditioners; no weight is negative.
