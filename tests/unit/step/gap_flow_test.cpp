@@ -53,8 +53,9 @@ TEST(GapFlow, AFlatGapHasItsThicknessAreaAndVelocity)
         EXPECT_NEAR(std::abs(mesh.normal[k][1]), 1, 1e-9);
         EXPECT_NEAR(mesh.velocity[k][1], 0, 1e-9);
         const double x = 0.5 * (mesh.nodes[mesh.elements[k][0]][0] + mesh.nodes[mesh.elements[k][1]][0]) - 0.513;
-        if (mesh.area[k] > 0.999 / 20) // whole cells: continuity, but for what goes around the plate
+        if (mesh.area[k] > 0.999 / 20) { // whole cells: continuity, but for what goes around the plate
             EXPECT_NEAR(mesh.velocity[k][0], -now * x / h, 0.02 * now * 0.2 / h) << x;
+        }
     }
 }
 
