@@ -9,24 +9,6 @@ namespace gapflow {
 namespace {
 
 template <int D>
-void leave_still(const GapSite<D>& site, PairTwist<D>& row)
-{
-    for (int side = 0; side < 2; ++side)
-        if (site.still[side])
-            row.template segment<twist_size<D>>(side * twist_size<D>).setZero();
-}
-template <int D>
-void leave_still(const GapSite<D>& site, PairMass<D>& mass)
-{
-    constexpr int T = twist_size<D>;
-    for (int side = 0; side < 2; ++side)
-        if (site.still[side]) {
-            mass.template middleRows<T>(side * T).setZero();
-            mass.template middleCols<T>(side * T).setZero();
-        }
-}
-
-template <int D>
 GapDrag<D> drag_at(const GapSite<D>& site, const FacePiece<D>& piece, const Vec<D>& low, const Vec<D>& high, const Peak* peak)
 {
     constexpr int T = twist_size<D>;
@@ -79,13 +61,10 @@ GapDrag<D> drag_at(const GapSite<D>& site, const FacePiece<D>& piece, const Vec<
         }
     }
     for (DragForm<D>& half : drag.half) {
-        leave_still<D>(site, half.flux);
-        leave_still<D>(site, half.mass);
         drag.resistance += drag.share * half.resistance;
         drag.flux += drag.share * half.flux;
         drag.mass += drag.share * half.mass;
     }
-    leave_still<D>(site, drag.motion);
     return drag;
 }
 
@@ -210,9 +189,7 @@ GapDrags<D> find_gap_drag(const Grid<D>& grid, std::span<const Solid<D>> solids,
                     continue;
                 peaks.back() = found->peak;
                 const PairMass<D> relative = relative_twists(sites[k].walls);
-                PeakDrag<D> drag{sites[k].solid, found->peak.at, in_relative<D>(relative, found->mass)};
-                leave_still<D>(sites[k], drag.mass);
-                drags.peaks.push_back(drag);
+                drags.peaks.push_back({sites[k].solid, found->peak.at, in_relative<D>(relative, found->mass)});
                 break;
             }
         }

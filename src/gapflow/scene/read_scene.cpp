@@ -145,7 +145,7 @@ std::vector<const GapScene*> gaps_of(const Scene& scene)
     return gaps;
 }
 
-/// Of ideal fluid a side has the velocity across it alone: that along it is the flow's own.
+/// A side has the velocity across it alone: that along it is the flow's own.
 void check_inflow_of_parts(const Values& v, const Scene& scene, int side)
 {
     const SideScene& inflow = scene.sides[side];
@@ -157,7 +157,7 @@ void check_inflow_of_parts(const Values& v, const Scene& scene, int side)
         for (std::size_t axis = 0; axis < dimension; ++axis) {
             if (axis != across && row[axis] != scene.fluid_velocity[axis])
                 v.refuse("domain.sides." + side_names[side],
-                         std::string("ideal fluid with gap.model = \"parts\" flows along a side as it will, and this inflow "
+                         std::string("fluid with gap.model = \"parts\" flows along a side as it will, and this inflow "
                                      "has its own velocity "
                                      "along ") +
                              "xyz"[axis],
@@ -200,15 +200,8 @@ void check_viscosity_of_parts(const Values& v, const Scene& scene)
     const auto refuse = [&](const std::string& key, const std::string& what, const std::string& remedy) {
         v.refuse(key, "this version runs gap.model = \"parts\" with viscosity without " + what, remedy);
     };
-    for (int side = 0; side < 2 * scene.dimension; ++side)
-        if (const SideScene::Kind kind = scene.sides[side].kind;
-            kind == SideScene::Kind::inflow || kind == SideScene::Kind::pressure)
-            refuse("domain.sides." + side_names[side], "inflow or given pressure",
-                   "write \"wall\", \"open\", \"far\" or \"periodic\", or gap.model = \"film\"");
     if (scene.follow)
         refuse("domain.follow", "a grid that follows", "leave it out, or write gap.model = \"film\"");
-    if (v.flag("output.forces"))
-        refuse("output.forces", "the parts of forces", "leave it out, or write gap.model = \"film\"");
     const auto gaps = gaps_of(scene);
     if (scene.vapour_pressure)
         refuse("fluid.vapour_pressure", "cavitation", "leave it out, or write gap.model = \"film\"");

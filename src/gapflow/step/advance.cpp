@@ -196,6 +196,8 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
         const UnknownVector<D> outflow = outflow_of_sides(there, sides);
         add(impulses_of_outflow(there.coupling, outflow), 1);
         add_to(star.outflow, outflow);
+    }
+    if (sides.any() && !model.viscous()) {
         const std::vector<Twist<D>> beyond = wrenches_from_beyond(model, there.coupling, state.time + 0.5 * dt);
         for (std::size_t b = 0; b < beyond.size(); ++b)
             given[b] += dt * beyond[b];
@@ -317,11 +319,12 @@ void meet_again(const Model<D>& model, const ContactSet<D>& contacts, const std:
     start.impulse = fluid_impulse(*now.placed, now.flow);
     const std::vector<Twist<D>> none(start.impulse.size(), Twist<D>::Zero());
     Coupling<D>& system = now.placed->coupling;
-    state.contacts = contacts;
+    const ContactSet<D> first = std::exchange(state.contacts, contacts);
     state.pressure.impulse = {CellField<D>(model.grid), {}};
     Intermediate<D> star = intermediate(model, start, *now.placed, system, now.stream, now.flow.remainder, now.flow.sides,
                                         now.flow.twists, StepForces<D>{none, none}, state, step.dt);
     Projected<D> end = project(model, system, std::move(star), mass, step, state, report, timers);
+    state.contacts.add_impulses(first);
     now.flow.twists = std::move(end.twists);
     now.flow.p = std::move(end.impulse);
     leave_gauge(system, now.flow.twists, now.flow.p);
@@ -356,7 +359,7 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
     MeanFlow<D> mean_flow(model, old, step.dt);
     const std::vector<Twist<D>> none(old.force.size(), Twist<D>::Zero());
     StepForces<D> forces{trapezium<D>(old.force, old.force, step.dt), none};
-    TurnedRemainder<D> turned(old, *now.placed, solver_options(model.scene), step.dt);
+    TurnedRemainder<D> turned(old, *now.placed, solver_options(model.scene), to_vec<D>(model.scene.fluid_velocity), step.dt);
     const ContactSet<D> contacts = state.contacts;
     const Twist<D> grid = stream_twist<D>(model.grid_velocity);
     double last = std::numeric_limits<double>::infinity();
@@ -371,7 +374,7 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
         now.stream = state.drive.flow;
         std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
         if (model.viscous())
-            loads = take_loads(state.bodies, mass, model.scene.density, step.dt, forced);
+            loads = take_loads(model, state.bodies, mass, now.placed->coupling, step, forced);
         const auto solve = [&](Coupling<D>& system, const UnknownVector<D>& outflow, const std::vector<Twist<D>>& impulse) {
             Intermediate<D> star = intermediate(model, old, *now.placed, system, now.stream, now.flow.remainder, now.flow.sides,
                                                 forced, forces, state, step.dt);

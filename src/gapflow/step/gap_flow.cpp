@@ -171,8 +171,9 @@ GapMeshes<D> gap_meshes(const Model<D>& model, const Instant<D>& instant, const 
 }
 
 template <int D>
-std::vector<ForceParts<D>> split_forces(const Model<D>& model, const Placed<D>& at, const State<D>& state)
+std::vector<ForceParts<D>> split_forces(const Model<D>& model, const Instant<D>& now, const State<D>& state)
 {
+    const Placed<D>& at = *now.placed;
     std::vector<ForceParts<D>> forces(state.bodies.size());
     const Grid<D>& grid = *at.coupling.grid;
     const UnknownVector<D> p = reduced_pressure(state);
@@ -190,8 +191,12 @@ std::vector<ForceParts<D>> split_forces(const Model<D>& model, const Placed<D>& 
     grid.comm().sum(std::span<double>(of_gaps.data()->data(), of_gaps.size() * twist_size<D>));
     for (std::size_t b = 0; b < forces.size(); ++b) {
         forces[b].film = of_gaps[b];
+        if (model.viscous()) {
+            forces[b].film += now.friction.gaps[b];
+            forces[b].shear = now.friction.bulk[b];
+        }
         forces[b].buoyancy = buoyancy(model, state.bodies[b]);
-        forces[b].pressure = state.wrenches[b] - forces[b].film - forces[b].buoyancy;
+        forces[b].pressure = state.wrenches[b] - forces[b].film - forces[b].shear - forces[b].buoyancy;
     }
     add_contact_forces(state, state.dt, forces);
     return forces;
@@ -269,7 +274,7 @@ void add_gap_parts(const Model<D>& model, const Placed<D>& at, const State<D>& s
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template int count_gap_parts<D>(const Placed<D>&);                                                                         \
-    template std::vector<ForceParts<D>> split_forces<D>(const Model<D>&, const Placed<D>&, const State<D>&);                   \
+    template std::vector<ForceParts<D>> split_forces<D>(const Model<D>&, const Instant<D>&, const State<D>&);                  \
     template GapMeshes<D> gap_meshes<D>(const Model<D>&, const Instant<D>&, const State<D>&);                                  \
     template void add_gap_parts<D>(const Model<D>&, const Placed<D>&, const State<D>&, std::vector<GapState>&);
 GAPFLOW_INSTANTIATE(2)

@@ -19,10 +19,10 @@ int count_gap_parts(const Placed<D>& at);
 template <int D>
 GapMeshes<D> gap_meshes(const Model<D>& model, const Instant<D>& at, const State<D>& state);
 
-/// Parts of the forces on every body, means over the step: `film` is the reduced pressure in gaps, `pressure` what else the fluid does, without buoyancy.
-/// Collective.
+/// Parts of the forces on every body, means over the step: `film` is the reduced pressure in gaps and the friction of those in closed form, `shear` that of all
+/// other fluid, `pressure` what else the fluid does, without buoyancy. Collective.
 template <int D>
-std::vector<ForceParts<D>> split_forces(const Model<D>& model, const Placed<D>& at, const State<D>& state);
+std::vector<ForceParts<D>> split_forces(const Model<D>& model, const Instant<D>& now, const State<D>& state);
 
 /// Adds gaps' parts to the states of pairs: their number, the area of the walls across them, the pressures and their force. Pairs come in the order of their
 /// solids. Collective.

@@ -59,20 +59,28 @@ std::vector<SideRow<D>> nodes_of_side(const Placed<D>& at, int side)
 }
 
 template <int D>
+std::array<double, 2 * D> impulses_beyond(const Model<D>& model, double time)
+{
+    std::array<double, 2 * D> impulses{};
+    const std::array<double, 2 * D> at_start = model.pressure_beyond(0);
+    for (int s = 0; s < 2 * D; ++s)
+        if (const SideScene& side = model.scene.sides[s]; side.kind == SideScene::Kind::pressure) {
+            const double constant = at_start[s] - value_at(side.table, 0).at(0); // the level of the reduced pressure
+            impulses[s] = integral_to(side.table, time).at(0) + constant * time;
+        }
+    return impulses;
+}
+
+template <int D>
 GivenSides<D> given_sides(const Model<D>& model, double time)
 {
     GivenSides<D> sides;
     const BoundaryVelocity<D> given = model.sides(time);
-    const std::array<double, 2 * D> at_start = model.pressure_beyond(0);
-    for (int s = 0; s < 2 * D; ++s) {
-        const SideScene& side = model.scene.sides[s];
-        if (side.kind == SideScene::Kind::inflow)
-            sides.speed[s] = given.velocity[s][s / 2] - model.scene.fluid_velocity[s / 2];
-        if (side.kind == SideScene::Kind::pressure) {
-            const double constant = at_start[s] - value_at(side.table, 0).at(0); // the level of the reduced pressure
-            sides.impulse[s] = integral_to(side.table, time).at(0) + constant * time;
-        }
-    }
+    for (int s = 0; s < 2 * D; ++s)
+        if (model.scene.sides[s].kind == SideScene::Kind::inflow)
+            sides.speed[s] = given.velocity[s][s / 2] - (model.viscous() ? 0.0 : model.scene.fluid_velocity[s / 2]);
+    if (!model.viscous())
+        sides.impulse = impulses_beyond(model, time);
     return sides;
 }
 
@@ -92,6 +100,16 @@ UnknownVector<D> outflow_of_sides(const Placed<D>& at, const GivenSides<D>& side
     }
     coupling.grid->comm().sum(std::span<double>(sum.nodes.data(), sum.nodes.size()));
     return sum;
+}
+
+template <int D>
+void add_inflow(const Placed<D>& at, const GivenSides<D>& sides, FaceField<D>& flux)
+{
+    for (int s = 0; s < 2 * D; ++s)
+        if (sides.speed[s] != 0)
+            for_each_row_of_side(at, s, [&](const SideRow<D>& row) {
+                flux(s / 2, row.face) += sides.speed[s] * row.area / at.coupling.grid->face_area();
+            });
 }
 
 template <int D>
@@ -174,8 +192,10 @@ void add_side_velocities(const Placed<D>& at, const GivenSides<D>& sides, const 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template SideRow<D> row_of_face<D>(const Placed<D>&, int, const Index<D>&);                                                \
     template std::vector<SideRow<D>> nodes_of_side<D>(const Placed<D>&, int);                                                  \
+    template std::array<double, 2 * D> impulses_beyond<D>(const Model<D>&, double);                                            \
     template GivenSides<D> given_sides<D>(const Model<D>&, double);                                                            \
     template UnknownVector<D> outflow_of_sides<D>(const Placed<D>&, const GivenSides<D>&);                                     \
+    template void add_inflow<D>(const Placed<D>&, const GivenSides<D>&, FaceField<D>&);                                        \
     template double energy_of_sides<D>(const Placed<D>&, const PotentialFlow<D>&);                                             \
     template std::vector<Twist<D>> forces_of_sides<D>(const Placed<D>&, const PotentialFlow<D>&);                              \
     template void add_side_velocities<D>(const Placed<D>&, const GivenSides<D>&, const Vec<D>&, FaceField<D>&);

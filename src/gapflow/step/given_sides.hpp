@@ -19,13 +19,21 @@ SideRow<D> row_of_face(const Placed<D>& at, int side, const Index<D>& face);
 template <int D>
 std::vector<SideRow<D>> nodes_of_side(const Placed<D>& at, int side);
 
-/// Of the scene's sides at a time. Collective.
+/// Integrals of the reduced pressures beyond pressure sides from the start until a time.
+template <int D>
+std::array<double, 2 * D> impulses_beyond(const Model<D>& model, double time);
+
+/// Of the scene's sides at a time. Viscous fluid has the impulses beyond pressure sides in its remainder, and the whole speed of the inflow. Collective.
 template <int D>
 GivenSides<D> given_sides(const Model<D>& model, double time);
 
 /// What leaves every row through the sides at potentials of 0. Collective.
 template <int D>
 UnknownVector<D> outflow_of_sides(const Placed<D>& at, const GivenSides<D>& sides);
+
+/// Adds the inflow's flux over the area of a whole face.
+template <int D>
+void add_inflow(const Placed<D>& at, const GivenSides<D>& sides, FaceField<D>& flux);
 
 /// What the fluid's kinetic energy has beside 1/2 V . dT/dV. Collective.
 template <int D>

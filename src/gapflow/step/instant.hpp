@@ -9,6 +9,12 @@
 
 namespace gapflow {
 
+/// Mean forces of friction on all solids in a step.
+template <int D>
+struct Friction {
+    std::vector<Twist<D>> bulk, gaps; ///< gaps: of those in closed form; empty without viscosity
+};
+
 template <int D>
 struct Instant {
     std::unique_ptr<Placed<D>> placed;
@@ -24,6 +30,7 @@ struct Instant {
     FaceField<D> flux{};             ///< of volume through the faces of the grid (face_fluxes()), with circulation; else empty
     FollowedBody<D> followed{};      ///< its force is that of T as a function of its place and, with it, the grid's
     PartVoids kept{};                ///< voids with which the next step starts
+    Friction<D> friction{};          ///< in the step that ended here
     UnknownVector<D> left_outflow{}; ///< net outflow of the rows in a step with voids; else empty
 };
 

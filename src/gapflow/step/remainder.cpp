@@ -1,6 +1,7 @@
 #include "gapflow/step/remainder.hpp"
 
 #include "gapflow/core/sharing.hpp"
+#include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/inner_faces.hpp"
 
 #include <cmath>
@@ -213,6 +214,7 @@ EdgeFluxes<D> edge_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
             u.grid(axis, f) = coupling.system.conductance(axis, f) > 0 ? coupling.open(axis, f) * u.grid(axis, f) : 0.0;
         });
+    add_inflow(at, flow.sides, u.grid);
     std::vector<double> through(at.edges.edges.size());
     for (std::size_t e = 0; e < through.size(); ++e) {
         const SparseEdge<D>& edge = at.edges.edges[e];

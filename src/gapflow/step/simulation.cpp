@@ -68,7 +68,7 @@ void require_given_velocity(const Model<D>& model)
             scene.file +
             ": fluid: a velocity of the fluid at the start needs a box in which nothing drives the mean flow; leave out "
             "fluid.pressure_gradient, fluid.mean_velocity and gravity along periodic axes");
-    for (int side = 0; side < 2 * D; ++side)
+    for (int side = 0; side < 2 * D && !model.viscous(); ++side)
         if (scene.sides[side].kind == SideScene::Kind::inflow || scene.sides[side].kind == SideScene::Kind::pressure)
             throw InputError(
                 scene.file + ": domain.sides." + side_names[side] +
@@ -263,7 +263,7 @@ void Simulation<D>::advance_on_parts(double next_output, StepReport& report)
     instant_ = gapflow::advance(model_, *instant_, step, state_, report, stages_);
     part_voids_ = instant_->kept;
     if (model_.scene.forces)
-        force_parts_ = split_forces(model_, *instant_->placed, state_);
+        force_parts_ = split_forces(model_, *instant_, state_);
     beyond_ =
         timed(stages_, "continuation", [&] { return reconstruct(model_, coupling(), state_, model_.twists(state_.bodies)); });
 }

@@ -17,12 +17,12 @@
 namespace gapflow {
 namespace {
 
-/// The same, with nothing through the walls of the domain.
+/// The same, with nothing through walls of the domain and where inflow is given.
 template <int D>
 FaceField<D> within_walls(const Grid<D>& grid, FaceField<D> velocity)
 {
     for (int side = 0; side < 2 * D; ++side)
-        if (grid.side(side / 2, side % 2) == SideKind::wall)
+        if (const SideKind kind = grid.side(side / 2, side % 2); kind == SideKind::wall || kind == SideKind::inflow)
             for_each_face_of_side(grid, side / 2, side % 2, [&](const Index<D>& f) { velocity(side / 2, f) = 0; });
     return velocity;
 }

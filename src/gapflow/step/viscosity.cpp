@@ -2,6 +2,7 @@
 // (1977) 1006-1021).
 #include "gapflow/step/viscosity.hpp"
 
+#include "gapflow/grid/side_faces.hpp"
 #include "gapflow/step/covered.hpp"
 #include "gapflow/step/inner_faces.hpp"
 #include "gapflow/step/remainder.hpp"
@@ -15,11 +16,43 @@ namespace {
 
 const double stage_share = 1 - std::sqrt(0.5); // gamma
 
-/// Faces without an own edge that have sparse ones have their mean.
+/// What nodes have beside the cells' pressure continued into them, from edge to edge. 0 where no edge leads to a cell.
 template <int D>
-void take_sparse(const Placed<D>& at, const Remainder<D>& remainder, FaceField<D>& velocity)
+Eigen::VectorXd beside_cells(const Placed<D>& at, const UnknownVector<D>& p)
 {
     const Grid<D>& grid = *at.coupling.grid;
+    const auto nodes = p.nodes.size();
+    Eigen::VectorXd continued = p.nodes;
+    std::vector<char> known(nodes, false);
+    for (bool found = true; found;) {
+        Eigen::VectorXd sum = Eigen::VectorXd::Zero(nodes), weight = Eigen::VectorXd::Zero(nodes);
+        for (const SparseEdge<D>& edge : at.edges.edges)
+            for (const auto& to : at.edges.rows_of(edge))
+                for (const auto& from : at.edges.rows_of(edge)) {
+                    if (to.node < 0 || known[to.node] || (from.node >= 0 && !known[from.node]))
+                        continue;
+                    const double value = from.node >= 0 ? continued[from.node] : p.cells(grid.wrapped(from.cell)),
+                                 share = edge.conductance * std::abs(from.weight);
+                    sum[to.node] += share * value;
+                    weight[to.node] += share;
+                }
+        found = false;
+        for (Eigen::Index n = 0; n < nodes; ++n)
+            if (weight[n] > 0) {
+                continued[n] = sum[n] / weight[n];
+                known[n] = true;
+                found = true;
+            }
+    }
+    return p.nodes - continued;
+}
+
+/// Faces without an own edge that have sparse ones have their mean, with what the pressure in nodes has beside that of cells: in slivers friction is large, and both cancel.
+template <int D>
+void take_sparse(const Placed<D>& at, const PotentialFlow<D>& flow, FaceField<D>& velocity)
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    const Eigen::VectorXd beside = beside_cells(at, flow.p);
     FaceField<D> sum(grid), weight(grid);
     for (std::size_t e = 0; e < at.edges.edges.size(); ++e) {
         const SparseEdge<D>& edge = at.edges.edges[e];
@@ -27,7 +60,11 @@ void take_sparse(const Placed<D>& at, const Remainder<D>& remainder, FaceField<D
             continue;
         const FacePiece<D>& piece = at.complex.pieces[edge.piece];
         const Index<D> f = at.complex.index.index(piece.face);
-        sum(piece.axis, f) += edge.conductance * remainder.edges[e] / face_length(grid, piece.axis, f);
+        double along = flow.remainder.edges[e];
+        for (const auto& row : at.edges.rows_of(edge))
+            if (row.node >= 0)
+                along += row.weight * beside[row.node] / at.coupling.density;
+        sum(piece.axis, f) += edge.conductance * along / face_length(grid, piece.axis, f);
         weight(piece.axis, f) += edge.conductance;
     }
     for (int axis = 0; axis < D; ++axis)
@@ -46,7 +83,8 @@ void fill_covered(const Placed<D>& at, FaceField<D>& velocity)
     FaceField<D> known(grid);
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-            known(axis, f) = at.coupling.system.conductance(axis, f) > 0 || !is_inner(grid, axis, f);
+            known(axis, f) = at.coupling.system.conductance(axis, f) > 0 ||
+                             (!is_inner(grid, axis, f) && !is_open(grid.side(axis, f[axis] > 0)));
         });
     for (const SparseEdge<D>& edge : at.edges.edges)
         if (edge.piece >= 0 && edge.conductance > 0)
@@ -99,18 +137,38 @@ Vec<D> mean_flux(const Grid<D>& grid, const FaceField<D>& flux)
 
 namespace {
 
-/// The two stages, linear in what they start from and in the load.
+/// What is given of the form's columns, its derivatives by the others, and twice its own dissipation.
+struct GivenPart {
+    Eigen::VectorXd columns, rest;
+    double square = 0;
+};
+
+template <int D>
+GivenPart given_part(const ViscousForm<D>& form, const ViscousColumns<D>& columns, const GivenSides<D>& sides, double factor)
+{
+    GivenPart part{columns.given(sides), Eigen::VectorXd::Zero(columns.columns())};
+    if (part.columns.isZero(0))
+        return part;
+    Eigen::VectorXd by(part.columns.size());
+    form.product({part.columns.data(), static_cast<std::size_t>(by.size())}, {by.data(), static_cast<std::size_t>(by.size())});
+    part.rest = factor * columns.from_form(by);
+    part.square = factor * part.columns.dot(by);
+    return part;
+}
+
+/// The two stages, linear in what they start from, what is given and in the load.
 template <int D>
 class ViscousStages {
 public:
     using Vector = Eigen::VectorXd;
 
-    ViscousStages(const ViscousColumns<D>& columns, const ViscousSolve<D>& solve, const Vector& start, const Vector& load)
-        : columns_(columns), solve_(solve)
+    ViscousStages(const ViscousColumns<D>& columns, const ViscousSolve<D>& solve, const GivenPart& given, const Vector& start,
+                  const Vector& load)
+        : columns_(columns), solve_(solve), given_(given)
     {
-        const auto one = solve.solve(start, share_ * load);
+        const auto one = solve.solve(start, share_ * load - given.rest);
         const Vector middle = start + again_ * (one.y - start);
-        const auto two = solve.solve(middle, share_ * load, &one);
+        const auto two = solve.solve(middle, share_ * load - given.rest, &one);
         first_ = one.y;
         end = two.y;
         pressure = again_ * one.pressure + two.pressure;
@@ -129,7 +187,14 @@ public:
 
     /// Of which the form's derivatives, with the viscosity and the share of the time, are its impulses.
     Vector mean() const { return again_ * first_ + end; }
-    double dissipated() const { return again_ * first_.dot(solve_.friction(first_)) + end.dot(solve_.friction(end)); }
+    /// The same of what is given, and what the form has of both.
+    Vector mean_in_form() const { return columns_.to_form(mean()) + (again_ + 1) * given_.columns; }
+    double dissipated() const
+    {
+        const auto of = [&](const Vector& y) { return y.dot(solve_.friction(y) + 2 * given_.rest) + given_.square; };
+        return again_ * of(first_) + of(end);
+    }
+    double work(const Vector& load) const { return share_ * load.dot(mean()); }
     /// 1/2 dt^2 sum_ij (b_i a_ij + b_j a_ji - b_i b_j) k_i k_j, k_i the rates of the stages: the mixed terms vanish.
     double lost() const
     {
@@ -146,20 +211,18 @@ public:
 private:
     const ViscousColumns<D>& columns_;
     const ViscousSolve<D>& solve_;
+    const GivenPart& given_;
     double share_ = stage_share,
            again_ = (1 - stage_share) / stage_share; ///< what of the first stage's change the second one starts with
     Vector first_;
     std::array<Vector, 2> change_;
 };
 
-/// Of what acts along edges and on solids in a fluid that a uniform pressure gradient of -1 along an axis drives: also the momentum's derivatives by all columns.
+/// Of what acts along edges and on solids where the velocity on all faces is to change by this one: also the derivatives of its work by all columns.
 template <int D>
-Eigen::VectorXd uniform_push(const Placed<D>& at, const ViscousColumns<D>& columns, int axis)
+Eigen::VectorXd push_of(const Placed<D>& at, const ViscousColumns<D>& columns, const Remainder<D>& remainder)
 {
     const Grid<D>& grid = *at.coupling.grid;
-    FaceField<D> unit_velocity(grid);
-    unit_velocity[axis].fill(1 / at.coupling.density);
-    const Remainder<D> remainder = remainder_of(at, std::move(unit_velocity));
     const UnknownVector<D> none{CellField<D>(grid), Eigen::VectorXd::Zero(at.coupling.system.nodes)};
     const std::vector<Twist<D>> rest(at.coupling.solids.size(), Twist<D>::Zero());
     Eigen::VectorXd push = columns.of_flow(PotentialFlow<D>{rest, none, 0, remainder});
@@ -169,15 +232,59 @@ Eigen::VectorXd uniform_push(const Placed<D>& at, const ViscousColumns<D>& colum
     return push;
 }
 
+/// Of a uniform pressure gradient of -1 along an axis.
+template <int D>
+Eigen::VectorXd uniform_push(const Placed<D>& at, const ViscousColumns<D>& columns, int axis)
+{
+    FaceField<D> unit_velocity(*at.coupling.grid);
+    unit_velocity[axis].fill(1 / at.coupling.density);
+    return push_of(at, columns, remainder_of(at, std::move(unit_velocity)));
+}
+
+/// What given pressures and a mean gradient add to the velocity on faces. Pressures act in the sides' own faces, over the half cells within.
+template <int D>
+FaceField<D> driven_velocity(const Grid<D>& grid, double density, const Vec<D>& drive, const std::array<double, 2 * D>& sides)
+{
+    FaceField<D> velocity(grid);
+    for (int axis = 0; axis < D; ++axis)
+        velocity[axis].fill(drive[axis] / density);
+    for (int side = 0; side < 2 * D; ++side)
+        if (sides[side] != 0)
+            for_each_face_of_side(grid, side / 2, side % 2, [&](const Index<D>& f) {
+                velocity(side / 2, f) += (side % 2 ? -1 : 1) * sides[side] / (density * face_length(grid, side / 2, f));
+            });
+    return velocity;
+}
+
+/// The solids' part of the form's derivatives: impulses of friction, of all of the form and of its gaps.
+template <int D>
+Friction<D> friction_of(const ViscousForm<D>& form, const Eigen::VectorXd& x, const Eigen::VectorXd& by_form, double factor,
+                        double dx)
+{
+    Eigen::VectorXd by_gaps = Eigen::VectorXd::Zero(x.size());
+    form.squares.add_product({x.data(), static_cast<std::size_t>(x.size())},
+                             {by_gaps.data(), static_cast<std::size_t>(by_gaps.size())}, form.gap_rows[0], form.gap_rows[1]);
+    by_gaps *= factor;
+    const auto impulses = [&](const Eigen::VectorXd& by) {
+        std::vector<Twist<D>> result;
+        for (int s = 0; s < form.solids; ++s) {
+            result.push_back(-by.segment<twist_size<D>>(form.twist_column(s, 0)));
+            result.back().template tail<spin_size<D>>() *= dx;
+        }
+        return result;
+    };
+    return {impulses(by_form - by_gaps), impulses(by_gaps)};
+}
+
 /// The flow after the stages, and what they do to the solids.
 template <int D>
 void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const ViscousStages<D>& stages, double factor,
-              const Vec<D>& drive, PotentialFlow<D>& flow, ViscousStep<D>& result)
+              const Remainder<D>& driven, PotentialFlow<D>& flow, ViscousStep<D>& result)
 {
     constexpr int T = twist_size<D>;
     const Coupling<D>& coupling = at.coupling;
     const Grid<D>& grid = *coupling.grid;
-    const Eigen::VectorXd x = columns.to_form(stages.mean());
+    const Eigen::VectorXd x = stages.mean_in_form();
     Eigen::VectorXd by_form(x.size());
     at.viscous->product({x.data(), static_cast<std::size_t>(x.size())},
                         {by_form.data(), static_cast<std::size_t>(by_form.size())});
@@ -186,19 +293,14 @@ void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const Visco
     PotentialFlow<D> by{{}, columns.to_unknowns(stages.pressure), 0, {}};
     for (std::size_t s = 0; s < flow.twists.size(); ++s)
         by.twists.push_back(stages.end.template segment<T>(columns.twist(static_cast<int>(s))) - flow.twists[s]);
-    FaceField<D> driven(grid);
-    for (int axis = 0; axis < D; ++axis)
-        driven[axis].fill(drive[axis] / coupling.density);
-    const Remainder<D> uniform = remainder_of(at, std::move(driven));
 
     // On the solids - (B dV + K^T lambda) and friction on their walls and, by k, on the edges.
     result.impulse = fluid_impulse(at, PotentialFlow<D>{by.twists, by.p, 0, {}}); // B dV - K^T lambda
-    const std::vector<Twist<D>> pressed = impulses(coupling, by.p), pushed = impulse_of_remainder(at, uniform);
-    for (std::size_t s = 0; s < flow.twists.size(); ++s) {
-        Twist<D> rubbed = by_form.template segment<T>(at.viscous->twist_column(static_cast<int>(s), 0));
-        rubbed.template tail<spin_size<D>>() *= grid.dx();
-        result.impulse[s] = -(result.impulse[s] + 2 * pressed[s]) - rubbed - pushed[s];
-    }
+    const std::vector<Twist<D>> pressed = impulses(coupling, by.p), pushed = impulse_of_remainder(at, driven);
+    result.friction = friction_of(*at.viscous, x, by_form, factor, grid.dx());
+    for (std::size_t s = 0; s < flow.twists.size(); ++s)
+        result.impulse[s] =
+            -(result.impulse[s] + 2 * pressed[s]) + result.friction.bulk[s] + result.friction.gaps[s] - pushed[s];
     for (const CarriedFlux<D>& of : at.edges.carried)
         if (const int edge = of.axis >= 0 ? columns.edge_of_face(of.axis, of.face) : columns.edge_of(of.edge); edge >= 0)
             result.impulse[of.solid] -= coupling.density * slowed[edge] * of.flux;
@@ -206,17 +308,17 @@ void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const Visco
     FaceField<D>& w = flow.remainder.faces;
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-            w(axis, f) += uniform.faces(axis, f);
+            w(axis, f) += driven.faces(axis, f);
             if (const int edge = columns.edge_of_face(axis, f); edge >= 0)
                 w(axis, f) -= slowed[edge] / face_length(grid, axis, f);
         });
     for (std::size_t e = 0; e < flow.remainder.edges.size(); ++e)
-        flow.remainder.edges[e] += uniform.edges[e] - slowed[columns.edge_of(e)];
-    take_sparse(at, flow.remainder, w);
-    exchange(grid, w);
+        flow.remainder.edges[e] += driven.edges[e] - slowed[columns.edge_of(e)];
     for (long i = 0; i < flow.p.cells.size(); ++i)
         flow.p.cells.data()[i] -= by.p.cells.data()[i];
     flow.p.nodes -= by.p.nodes;
+    take_sparse(at, flow, w);
+    exchange(grid, w);
     for (std::size_t s = 0; s < flow.twists.size(); ++s)
         flow.twists[s] += by.twists[s];
 }
@@ -240,16 +342,21 @@ ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<
     for (int axis = 0; axis < D; ++axis)
         if (loads.mean_velocity[axis])
             kept.emplace_back(axis, uniform_push(at, columns, axis));
-        else if (loads.gradient[axis] != 0)
-            load -= dt * loads.gradient[axis] * uniform_push(at, columns, axis);
-    ViscousStages<D> stages(columns, solve, columns.of_flow(flow), load);
+    Vec<D> given = -dt * loads.gradient;
+    for (const auto& [axis, push] : kept)
+        given[axis] = 0;
+    const FaceField<D> pushed = driven_velocity(*at.coupling.grid, at.coupling.density, given, loads.sides);
+    load += push_of(at, columns, remainder_of(at, pushed));
+    const GivenPart sides = given_part(*at.viscous, columns, flow.sides, factor),
+                    nothing{Eigen::VectorXd::Zero(sides.columns.size()), Eigen::VectorXd::Zero(columns.columns())};
+    ViscousStages<D> stages(columns, solve, sides, columns.of_flow(flow), load);
     if (!kept.empty()) { // the gradient with which the mean velocities are those
         const int n = static_cast<int>(kept.size());
         std::vector<ViscousStages<D>> answers;
         Eigen::MatrixXd response(n, n);
         Eigen::VectorXd missing(n);
         for (int k = 0; k < n; ++k) {
-            answers.emplace_back(columns, solve, Eigen::VectorXd::Zero(columns.columns()), kept[k].second);
+            answers.emplace_back(columns, solve, nothing, Eigen::VectorXd::Zero(columns.columns()), kept[k].second);
             missing[k] = *loads.mean_velocity[kept[k].first] * volume - kept[k].second.dot(stages.end);
         }
         for (int i = 0; i < n; ++i)
@@ -264,7 +371,10 @@ ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<
     result.iterations = stages.iterations;
     result.dissipated = stages.dissipated();
     result.lost = stages.lost();
-    take_end(at, columns, stages, factor, Vec<D>(-dt * result.gradient), flow, result);
+    result.work = stages.work(load);
+    const Remainder<D> driven =
+        remainder_of(at, driven_velocity(*at.coupling.grid, at.coupling.density, Vec<D>(-dt * result.gradient), loads.sides));
+    take_end(at, columns, stages, factor, driven, flow, result);
     return result;
 }
 

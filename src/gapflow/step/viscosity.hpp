@@ -14,15 +14,18 @@ struct ViscousLoads {
     std::vector<Twist<D>> impulse;    ///< on the free bodies; empty: none
     Vec<D> gradient = Vec<D>::Zero(); ///< mean pressure gradient
     std::array<std::optional<double>, D>
-        mean_velocity{}; ///< of fluid and solids, along axes where it is kept: the gradient there follows
+        mean_velocity{};               ///< of fluid and solids, along axes where it is kept: the gradient there follows
+    std::array<double, 2 * D> sides{}; ///< given pressures beyond sides, times the time
 };
 
 template <int D>
 struct ViscousStep {
     std::vector<Twist<D>> impulse; ///< of the fluid on every solid, and of the mean pressure gradient
+    Friction<D> friction;          ///< impulses: the share in these of traction along the walls
     Vec<D> gradient = Vec<D>::Zero();
     double dissipated = 0; ///< energy
     double lost = 0;       ///< by the integrator besides
+    double work = 0;       ///< of what acts, but for a gradient that follows
     int iterations = 0;    ///< of its solves
 };
 

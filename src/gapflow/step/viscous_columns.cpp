@@ -245,6 +245,16 @@ auto ViscousColumns<D>::means() const -> Rows
 }
 
 template <int D>
+Eigen::VectorXd ViscousColumns<D>::given(const GivenSides<D>& sides) const
+{
+    Vector y = Vector::Zero(form_.columns());
+    for (int k = 0; k < form_.velocities(); ++k)
+        if (const FormFace<D>& face = form_.faces[k]; face.low < 0 || face.high < 0)
+            y[k] = sides.speed[2 * face.axis + (face.high < 0)]; // 0 but at inflow, where no edge is
+    return y;
+}
+
+template <int D>
 Eigen::VectorXd ViscousColumns<D>::by_fluxes(const Vector& by_form) const
 {
     Vector y = Vector::Zero(edges());

@@ -42,9 +42,13 @@ public:
     Rows squares() const;
     /// The form's part that is not a sum of squares.
     Rows rotation() const;
-    /// The form's columns of these.
+    /// The form's columns of these, without what is given.
     const Rows& form() const { return to_form_; }
     Vector to_form(const Vector& x) const { return to_form_ * x; }
+    /// Of the derivatives by the form's columns: those by these.
+    Vector from_form(const Vector& by_form) const { return to_form_.transpose() * by_form; }
+    /// The form's columns that are given: velocities of inflow.
+    Vector given(const GivenSides<D>& sides) const;
     /// Derivatives of the form.
     Vector friction(const Vector& x) const;
     /// Its diagonal, nearly. Of edges whose faces have traces beside them, with the traces at the means of the faces beside them.

@@ -7,10 +7,11 @@
 namespace gapflow {
 
 /// Impulses that act on the bodies beside the fluid's: with viscosity they do so while it does. `forced`: twists with them; on return those of the momenta alone. `mass`: of
-/// all solids.
+/// all solids; `there`: at the step's end.
 template <int D>
-std::vector<Twist<D>> take_loads(const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
-                                 double density, double dt, std::vector<Twist<D>>& forced);
+std::vector<Twist<D>> take_loads(const Model<D>& model, const std::vector<RigidBody<D>>& bodies,
+                                 const std::vector<TwistMatrix<D>>& mass, const Coupling<D>& there, const Step& step,
+                                 std::vector<Twist<D>>& forced);
 
 /// The step's end with viscosity, from that without it. The state gets wrenches and the mean pressure gradient.
 template <int D>

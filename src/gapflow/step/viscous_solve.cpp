@@ -209,8 +209,9 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
         outflow = columns_.outflow() * d;
         stage.pressure += penalty_of.cwiseProduct(outflow);
         const double moved = size(change), whole = size(d);
-        if (moved <= solve_accuracy * whole || (moved >= 0.5 * last && moved <= round_off * whole))
-            return stage;
+        if (moved <= solve_accuracy * whole ||
+            (moved >= 0.5 * last && (moved <= round_off * whole || moved <= solve_accuracy * size(stage.y))))
+            return stage; // of a steady flow all changes are round-off
         if (stage.iterations == most_corrections)
             fail(stage.iterations);
         last = moved;

@@ -1,5 +1,6 @@
 #include "gapflow/step/vorticity.hpp"
 
+#include "gapflow/step/exits.hpp"
 #include "gapflow/step/inner_faces.hpp"
 #include "gapflow/step/own_edges.hpp"
 #include "gapflow/step/remainder.hpp"
@@ -81,6 +82,7 @@ Remainder<D> TurnedRemainder<D>::find(const Instant<D>* end)
 {
     if (old_.flow.remainder.empty())
         return {};
+    find_heads(end);
     int steps = static_cast<int>(std::ceil(courant(flux_at(end, 0.5))));
     if (steps <= 1) {
         curve_ = {};
@@ -100,10 +102,32 @@ Remainder<D> TurnedRemainder<D>::find(const Instant<D>* end)
 template <int D>
 Remainder<D> TurnedRemainder<D>::at_end(FaceField<D> w) const
 {
+    if (heads_[0].size() > 0)
+        add(w, 1, heads_);
     Remainder<D> remainder = remainder_of(there_, std::move(w));
     if (there_.viscous)
         add_own(remainder.edges, carried_along_edges(*old_.placed, own_along_edges(*old_.placed, old_.flow.remainder), there_));
     return remainder;
+}
+
+template <int D>
+FaceField<D> TurnedRemainder<D>::turning(const FaceField<D>& flux, const FaceField<D>& remainder, double dt) const
+{
+    FaceField<D> impulse = vortex_impulse(grid(), flux, remainder, dt);
+    if (there_.viscous)
+        turn_in_exits(grid(), flux, dt, impulse);
+    return impulse;
+}
+
+/// Over the step, by Simpson's rule. They do work, by the flux alone.
+template <int D>
+void TurnedRemainder<D>::find_heads(const Instant<D>* end)
+{
+    if (!there_.viscous)
+        return;
+    heads_ = FaceField<D>(grid());
+    for (const auto& [share, weight] : {std::pair(0.0, 1.0 / 6), std::pair(0.5, 2.0 / 3), std::pair(1.0, 1.0 / 6)})
+        add_heads(grid(), flux_at(end, share), beyond_, weight * dt_, heads_);
 }
 
 /// Classical Runge-Kutta. Half-way, and at the end.
@@ -122,7 +146,7 @@ std::pair<FaceField<D>, FaceField<D>> TurnedRemainder<D>::sub_steps(const Instan
             FaceField<D> at = start;
             if (way > 0)
                 add(at, way, rate);
-            rate = vortex_impulse(grid(), flux_at(end, (k + way) / steps), at, dt);
+            rate = turning(flux_at(end, (k + way) / steps), at, dt);
             add(w, weight, rate);
         }
     }
@@ -170,6 +194,8 @@ double TurnedRemainder<D>::work(const Instant<D>& end) const
         return 0;
     FaceField<D> difference = end.flow.remainder.faces;
     add(difference, -1, old_.flow.remainder.faces);
+    if (heads_[0].size() > 0)
+        add(difference, -1, heads_);
     return work_of_fluxes(there_.coupling, mean_flux(end), difference);
 }
 

@@ -16,9 +16,10 @@ FaceField<D> vortex_impulse(const Grid<D>& grid, const FaceField<D>& flux, const
 template <int D>
 class TurnedRemainder {
 public:
-    /// `old` and `there`, the places at the end, must outlive it.
-    TurnedRemainder(const Instant<D>& old, const Placed<D>& there, const SolverOptions& options, double dt)
-        : old_(old), there_(there), options_(options), dt_(dt)
+    /// `old` and `there`, the places at the end, must outlive it. `beyond`: velocity of the fluid beyond open sides.
+    TurnedRemainder(const Instant<D>& old, const Placed<D>& there, const SolverOptions& options, const Vec<D>& beyond,
+                    double dt)
+        : old_(old), there_(there), options_(options), beyond_(beyond), dt_(dt)
     {
     }
 
@@ -38,6 +39,8 @@ private:
     double courant(const FaceField<D>& flux) const;
     std::pair<FaceField<D>, FaceField<D>> sub_steps(const Instant<D>* end, int steps) const;
     Remainder<D> at_end(FaceField<D> w) const;
+    FaceField<D> turning(const FaceField<D>& flux, const FaceField<D>& remainder, double dt) const;
+    void find_heads(const Instant<D>* end);
     void find_curve(std::pair<FaceField<D>, FaceField<D>> half_and_end);
     void add(FaceField<D>& to, double factor, const FaceField<D>& change) const;
     void take_work(const Instant<D>& end, FaceField<D>& w) const;
@@ -45,7 +48,9 @@ private:
     const Instant<D>& old_;
     const Placed<D>& there_;
     SolverOptions options_;
+    Vec<D> beyond_;
     double dt_;
+    FaceField<D> heads_; ///< what heads in open sides add; empty: nothing
     FaceField<D> curve_; ///< of the flux half-way, over the mean of both ends; empty: none
 };
 

@@ -263,6 +263,20 @@ bool is_impact(const Contact<D>& c)
 } // namespace
 
 template <int D>
+void ContactSet<D>::add_impulses(const ContactSet& earlier)
+{
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+        const Contact<D>& before = earlier.contacts_[k];
+        if (!before.closed)
+            continue;
+        Contact<D>& c = contacts_[k];
+        c.impulse = (c.closed ? c.impulse : 0) + before.impulse;
+        c.tangential = (c.closed ? c.tangential : Vec<D - 1>(Vec<D - 1>::Zero())) + before.tangential;
+        c.closed = true;
+    }
+}
+
+template <int D>
 bool ContactSet<D>::impact_on(int solid) const
 {
     return std::any_of(contacts_.begin(), contacts_.end(),

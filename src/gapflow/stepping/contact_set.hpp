@@ -103,6 +103,9 @@ public:
     ContactChange update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const NearInertia<D>& inertia,
                          const ContactAccuracy& accuracy, bool exact, int round);
 
+    /// Adds the impulses that the same contacts had in an earlier solve of the step.
+    void add_impulses(const ContactSet& earlier);
+
     /// What earlier rounds told holds no more: voids or links of films have changed.
     void forget_rounds();
 

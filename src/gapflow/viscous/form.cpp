@@ -203,7 +203,9 @@ ViscousForm<D> FormBuilder<D>::build()
             add_face(static_cast<std::int32_t>(face));
     for (int cell = 0; cell < form_.cells.count(); ++cell)
         add_along(cell);
+    const std::int64_t first_of_gaps = form_.squares.rows();
     add_gaps();
+    form_.gap_rows = {first_of_gaps, form_.squares.rows()};
     add_outflow();
     add_rotation();
     drop_unused_traces();

@@ -13,6 +13,7 @@
 #include "gapflow/viscous/squares.hpp"
 #include "gapflow/viscous/whole_faces.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -68,7 +69,9 @@ struct ViscousForm {
     std::vector<FormTrace<D>> traces;
     int solids = 0;
     SquareSum squares; ///< no weight is negative
-    RowList derived;   ///< of columns
+    std::array<std::int64_t, 2>
+        gap_rows{};  ///< those of gaps in closed form, without derived columns: the first one, and the first one after them
+    RowList derived; ///< of columns
     WholeFaces whole;
     std::vector<FormElement> elements; ///< of the other faces with traces, 3D
     RowList beside;  ///< of each trace: the velocities of the faces that have it, by equal shares; for preconditioners

@@ -41,9 +41,9 @@ void SquareSum::add(double row_weight, std::initializer_list<Term> terms)
     end.push_back(static_cast<std::int64_t>(column.size()));
 }
 
-void SquareSum::add_product(std::span<const double> x, std::span<double> y) const
+void SquareSum::add_product(std::span<const double> x, std::span<double> y, std::int64_t first, std::int64_t last) const
 {
-    for (std::int64_t k = 0; k < rows(); ++k) {
+    for (std::int64_t k = first; k < last; ++k) {
         double value = 0;
         for (std::int64_t t = end[k]; t < end[k + 1]; ++t)
             value += factor[t] * x[column[t]];

@@ -46,7 +46,9 @@ struct SquareSum {
     /// A row of columns that differ.
     void add(double weight, std::initializer_list<Term> terms);
     /// y += sum w r^T (r x), the gradient of E.
-    void add_product(std::span<const double> x, std::span<double> y) const;
+    void add_product(std::span<const double> x, std::span<double> y) const { add_product(x, y, 0, rows()); }
+    /// The same of the rows from `first` until `last`.
+    void add_product(std::span<const double> x, std::span<double> y, std::int64_t first, std::int64_t last) const;
     /// 2 E.
     double twice(std::span<const double> x) const;
     /// Its matrix, for solvers and preconditioners; no weight is negative.
