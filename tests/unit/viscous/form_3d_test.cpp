@@ -199,6 +199,11 @@ TEST(ViscousForm3D, BallNextToAWall)
     const Built built(grid, scene);
     const GapDrags<3> gaps = find_gap_drag<3>(grid, scene.solids, built.complex);
     const ViscousForm<3> with_gaps = build_viscous_form<3>(grid, scene.solids, built.complex, built.borders, gaps);
+    // Friction in gaps is told by these rows alone, so they have no derived columns.
+    const SquareSum& squares = with_gaps.squares;
+    EXPECT_LT(with_gaps.gap_rows[0], with_gaps.gap_rows[1]);
+    for (std::int64_t t = squares.end[with_gaps.gap_rows[0]]; t < squares.end[with_gaps.gap_rows[1]]; ++t)
+        EXPECT_LT(squares.column[t], with_gaps.columns());
     for (const ViscousForm<3>* form : {&with_gaps, &built.form}) {
         Stokes<3> stokes(*form);
         ASSERT_TRUE(stokes.ok);
