@@ -139,13 +139,13 @@ def iterations_of_gaps(quick):
                                                                                                   position=[12.13, 12.07, gap + 4 * math.sin(math.radians(10)) + 2 * math.cos(math.radians(10))])]))]
     for name, most, make in kinds[:2] if quick else kinds:
         counts, first = [], []
-        gaps = (1e-1, 1e-3, 1e-5, 1e-7)
+        gaps = (1e-1, 1e-3, 1e-5) if quick else (1e-1, 1e-3, 1e-5, 1e-7)    # boxes take 15 at the last one
         for gap in gaps:
             scene = make(gap)
             result = harness.added_mass({**scene, "gap": dict(model="parts"), "solver": dict(tolerance=1e-8), "gravity": [0.3, -1.0] + [0.2] * (len(scene["domain"]["cells"]) - 2)}, accelerations=True)
             counts.append(max(result["iterations"]))
             first.append(result["acceleration_iterations"])
-        yield Row(COUNTS, f"{name}, gaps of 0.1, 1e-3, 1e-5, 1e-7 cells: iterations at 1e-8 of the added mass; of the first accelerations", f"≤ {most}",
+        yield Row(COUNTS, f"{name}, gaps of {', '.join(f'{gap:g}' for gap in gaps)} cells: iterations at 1e-8 of the added mass; of the first accelerations", f"≤ {most}",
                   f"{', '.join(map(str, counts))}; {', '.join(map(str, first))}", max(counts + first) <= most)
 
 
