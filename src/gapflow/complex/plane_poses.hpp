@@ -1,4 +1,4 @@
-// Poses of boxes whose sides lie in planes of the grid to round-off (theory of the complex, "Sides in planes of the grid").
+// Poses of boxes whose sides lie in planes of the grid to round-off (theory of the complex, "Cells, faces, parts").
 #pragma once
 
 #include "gapflow/complex/placed.hpp"
