@@ -108,12 +108,13 @@ def falling(quick):
     for row in result["bodies"]:
         heights.setdefault(row["time"], []).append(row["z"])
     volume = 4 / 3 * math.pi * radius ** 3
-    first, last = min(heights), max(heights)
+    rows = result["steps"][:21]    # later some balls meet, which takes energy
+    first, last = rows[0]["time"], rows[-1]["time"]
     released = volume * (sum(heights[first]) - sum(heights[last]))    # density 2 less that of the fluid
-    kinetic = result["steps"][-1]["energy_fluid"] + result["steps"][-1]["energy_bodies"]
-    corrected = sum(row["corrected_energy"] for row in result["steps"])
+    kinetic = rows[-1]["energy_fluid"] + rows[-1]["energy_bodies"]
+    corrected = sum(row["corrected_energy"] for row in rows)
     error = kinetic / released - 1
-    yield Row(FALL, f"4 cells a radius, {len(result['steps']) - 1} steps: kinetic energy over the potential energy set free (without the correction)", "within ±0.05 %",
+    yield Row(FALL, f"4 cells a radius, {len(rows) - 1} steps: kinetic energy over the potential energy set free (without the correction)", "within ±0.05 %",
               f"{error:+.3%} ({(kinetic - corrected) / released - 1:+.3%})", abs(error) <= 5e-4)
 
 

@@ -6,7 +6,7 @@ namespace gapflow {
 namespace {
 
 using Slots = Eigen::Matrix<double, UnitFace::size, 1>;
-using Square = Eigen::Matrix<double, UnitFace::size, UnitFace::size>;
+using FaceMatrix = Eigen::Matrix<double, UnitFace::size, UnitFace::size>;
 
 /// Of squares of a first moment in a cell, 1 over its mean square extent; it comes twice in each of the two cells.
 constexpr double moments_of_cells = 12 * 2 * 2;
@@ -30,15 +30,15 @@ UnitFace find_unit_face()
     face.stiffness = rows.transpose() * element.weight.asDiagonal() * rows;
     face.moment = element.moment * values;
     // Beside a face are one over each side, with two vertices of it, and one over each vertex.
-    const Square all = face.stiffness + moments_of_cells * face.moment.transpose() * face.moment;
+    const FaceMatrix all = face.stiffness + moments_of_cells * face.moment.transpose() * face.moment;
     const auto part = [&](std::array<int, 3> slots) {
-        Square result = Square::Zero();
+        FaceMatrix result = FaceMatrix::Zero();
         for (const int i : slots)
             for (const int j : slots)
                 result(i, j) = all(i, j);
         return result;
     };
-    Square sum = all;
+    FaceMatrix sum = all;
     Slots own, beside = Slots::Zero(), over = Slots::Zero(); // with traces at means
     own << 0.25, 0.25, 0.25, 0.25, 0.5, 0.5, 0.5, 0.5, 1;
     beside[0] = beside[1] = over[0] = 0.25;
@@ -76,7 +76,7 @@ void WholeFaces::find_moments(std::span<const double> x, std::span<double> momen
 
 void WholeFaces::add_product(std::span<const double> x, std::span<const double> by_moments, std::span<double> y) const
 {
-    const Square stiffness = unit_face().stiffness;
+    const FaceMatrix stiffness = unit_face().stiffness;
     const Eigen::Matrix<double, UnitFace::size, 2> moment = unit_face().moment.transpose();
     for (std::size_t f = 0; f < columns.size(); ++f) {
         Slots slots;
