@@ -1,6 +1,7 @@
 #include "gapflow/step/viscous_solve.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/sort_unique.hpp"
 #include "gapflow/step/viscous_projection.hpp"
 
 #include <algorithm>
@@ -96,8 +97,7 @@ Eigen::MatrixXd ViscousSolve<D>::body_block() const
                         row[entry.col()] += sum.factor[t] * entry.value();
                         used.push_back(static_cast<int>(entry.col()));
                     }
-            std::sort(used.begin(), used.end());
-            used.erase(std::unique(used.begin(), used.end()), used.end());
+            sort_unique(used);
             for (const int i : used)
                 for (const int j : used)
                     H(i, j) += factor_ * sum.weight[k] * row[i] * row[j];

@@ -1,5 +1,7 @@
 #include "gapflow/step/viscous_traces.hpp"
 
+#include "gapflow/core/sort_unique.hpp"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -40,8 +42,7 @@ void ViscousTraces<D>::find_elements()
         for (std::int64_t t = form.squares.end[of.first]; t < form.squares.end[of.last]; ++t)
             if (const int trace = number(form.squares.column[t]); trace >= 0)
                 element.traces.push_back(trace);
-        std::sort(element.traces.begin(), element.traces.end());
-        element.traces.erase(std::unique(element.traces.begin(), element.traces.end()), element.traces.end());
+        sort_unique(element.traces);
         const auto n = static_cast<Eigen::Index>(element.traces.size());
         Eigen::MatrixXd block = Eigen::MatrixXd::Zero(n, n);
         for (std::int64_t k = of.first; k < of.last; ++k) {

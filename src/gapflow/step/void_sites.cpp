@@ -21,15 +21,12 @@ constexpr double mostly = 0.5;          // of the open faces of what is between 
 template <int D>
 class SiteFaces {
 public:
-    SiteFaces(const Grid<D>& grid, const Complex<D>& complex) : grid_(grid), complex_(complex)
+    SiteFaces(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas)
+        : grid_(grid), complex_(complex), areas_(areas)
     {
-        for (std::vector<char>& has : has_piece_)
-            has.assign(complex.index.count, 0);
-        for (const FacePiece<D>& piece : complex.pieces) {
-            has_piece_[piece.axis][piece.face] = 1;
+        for (const FacePiece<D>& piece : complex.pieces)
             if (piece.area > 0 && piece.low.exists() && piece.high.exists())
                 add(site_of(complex, piece.low), site_of(complex, piece.high), piece.area);
-        }
         for (const CornerLink<D>& link : complex.links)
             if (link.conductance > 0)
                 add(link.a, link.b, link.open);
@@ -51,7 +48,8 @@ public:
             for (int end = 0; end < 2; ++end) {
                 const Index<D> next = index.wrapped(c + (2 * end - 1) * step<D>(axis));
                 const int face = index(index.wrapped(c + end * step<D>(axis)));
-                if (grid_.in_domain(next) && index.holds(next) && !has_piece_[axis][face] && complex_.main_area[axis][face] > 0)
+                if (grid_.in_domain(next) && index.holds(next) && areas_.first(axis, face) < 0 &&
+                    complex_.main_area[axis][face] > 0)
                     f(site_of(complex_, complex_.main_of(index(next))), complex_.main_area[axis][face]);
             }
     }
@@ -65,7 +63,7 @@ private:
 
     const Grid<D>& grid_;
     const Complex<D>& complex_;
-    std::array<std::vector<char>, D> has_piece_;
+    const OpenAreas<D>& areas_;
     std::map<std::int32_t, std::vector<std::pair<std::int32_t, double>>> beside_;
 };
 
@@ -100,8 +98,8 @@ template <int D>
 class TakenAlong {
 public:
     TakenAlong(const Model<D>& model, const std::vector<Solid<D>>& solids, const Complex<D>& complex, Voids<D>& voids)
-        : model_(model), solids_(solids), complex_(complex), voids_(voids), areas_(complex), faces_(model.grid, complex),
-          place_(places_of_parts(model.grid, complex))
+        : model_(model), solids_(solids), complex_(complex), voids_(voids), areas_(complex),
+          faces_(model.grid, complex, areas_), place_(places_of_parts(model.grid, complex))
     {
         std::vector<char> is_mouth(complex.links.size(), 0);
         for (const MouthArm<D>& mouth : voids.mouths)

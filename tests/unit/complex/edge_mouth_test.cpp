@@ -31,6 +31,15 @@ Rotation<3> turned(const Vec<3>& axis, double angle)
     return Rotation<3>(Eigen::AngleAxisd(angle, axis.normalized()));
 }
 
+/// Of the links' planes.
+double area_of_mouths(const Complex<3>& complex)
+{
+    double area = 0;
+    for (const CornerLink<3>& link : complex.links)
+        area += link.mouth >= 0 ? link.open : 0.0;
+    return area;
+}
+
 TEST(EdgeMouths, GoOnceAroundAGap)
 {
     const Grid<3> grid = unit_grid<3>(cells);
@@ -94,10 +103,7 @@ TEST(EdgeMouths, OfEdgesInclinedALittle)
             scene.add("box", make_box<3>(Vec<3>(6, 5, 3) / cells), at);
         }
         const Complex<3> complex = build_complex<3>(grid, scene.solids);
-        double area = 0;
-        for (const CornerLink<3>& link : complex.links)
-            area += link.mouth >= 0 ? link.open : 0.0;
-        EXPECT_NEAR(area, 22 * 0.2, 0.002 * 22 * 0.2) << axis.transpose();
+        EXPECT_NEAR(area_of_mouths(complex), 22 * 0.2, 0.002 * 22 * 0.2) << axis.transpose();
     }
 }
 
@@ -117,10 +123,7 @@ TEST(EdgeMouths, OfEdgesInFrontOfEachOthersFaces)
         }
         const Complex<3> complex = build_complex<3>(grid, scene.solids);
         EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12);
-        double area = 0;
-        for (const CornerLink<3>& link : complex.links)
-            area += link.mouth >= 0 ? link.open : 0.0;
-        EXPECT_NEAR(area, 22 * 0.2, 0.01 * 22 * 0.2) << angle;
+        EXPECT_NEAR(area_of_mouths(complex), 22 * 0.2, 0.01 * 22 * 0.2) << angle;
     }
 }
 
@@ -138,10 +141,7 @@ TEST(EdgeMouths, OfEdgesThatCross)
         }
         const Complex<3> complex = build_complex<3>(grid, scene.solids);
         EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12);
-        double area = 0;
-        for (const CornerLink<3>& link : complex.links)
-            area += link.mouth >= 0 ? link.open : 0.0;
-        EXPECT_NEAR(area, 22 * 0.2, 0.002 * 22 * 0.2) << angle;
+        EXPECT_NEAR(area_of_mouths(complex), 22 * 0.2, 0.002 * 22 * 0.2) << angle;
     }
 }
 

@@ -13,16 +13,23 @@
 namespace gapflow {
 namespace {
 
+/// Fluid on parts in a box.
+Scene on_parts(int dimension, const Triple& size, const std::array<int, 3>& cells)
+{
+    Scene scene;
+    scene.dimension = dimension;
+    scene.parts = true;
+    scene.density = 1;
+    scene.size = size;
+    scene.cells = cells;
+    return scene;
+}
+
 /// A cylinder of radius 1/2 in a container of radius 1, the gap at an angle to the grid.
 Scene container(int n, double gap, double angle, const Vec<2>& shift, bool moves)
 {
-    Scene scene;
-    scene.dimension = 2;
-    scene.parts = true;
-    scene.density = 1;
     const double size = 2.24, dx = size / n;
-    scene.size = {size, size, 0};
-    scene.cells = {n, n, 1};
+    Scene scene = on_parts(2, {size, size, 0}, {n, n, 1});
     BodyScene outer, inner;
     outer.name = "outer";
     outer.shape = inner.shape = BodyScene::ShapeKind::ball;
@@ -134,12 +141,7 @@ TEST(GapArms, CylinderInAContainer)
 TEST(GapArms, AContactPassesTheCentreOfACell)
 {
     const auto mass = [](double x) {
-        Scene scene;
-        scene.dimension = 2;
-        scene.parts = true;
-        scene.density = 1;
-        scene.size = {1, 1, 0};
-        scene.cells = {32, 32, 1};
+        Scene scene = on_parts(2, {1, 1, 0}, {32, 32, 1});
         BodyScene cylinder;
         cylinder.name = "cylinder";
         cylinder.radius = 0.15;
@@ -156,12 +158,7 @@ TEST(GapArms, AContactPassesTheCentreOfACell)
 /// A ball of 3 cells a radius over the floor of a box of 5 x 5 x 4 radii.
 Scene over_a_floor(double gap, const Vec<2>& shift)
 {
-    Scene scene;
-    scene.dimension = 3;
-    scene.parts = true;
-    scene.density = 1;
-    scene.size = {5, 5, 4};
-    scene.cells = {15, 15, 12};
+    Scene scene = on_parts(3, {5, 5, 4}, {15, 15, 12});
     BodyScene ball;
     ball.name = "ball";
     ball.radius = 1;

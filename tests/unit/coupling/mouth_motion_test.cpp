@@ -1,42 +1,19 @@
 // Mouths between two corners: nothing depends on which of the two is a little ahead, and little changes as one wall goes on.
-#include "../grid/scenes.hpp"
-#include "direct_mass.hpp"
-
-#include "gapflow/coupling/parts.hpp"
+#include "two_boxes.hpp"
 
 #include <gtest/gtest.h>
 
 namespace gapflow::testing {
 namespace {
 
-/// Two boxes of 16 x 8 cells, 0.32 cells above each other, at places along x, in cells, and turned towards each other; their twists in radii of the boxes. Over the
-/// fluid's mass that one displaces.
+/// 0.32 cells above each other, at places along x, in cells, and turned towards each other.
 Eigen::MatrixXd mass_of_plates(double upper, double lower, double towards = 0, double middle = 32)
 {
-    const Grid<2> grid = unit_grid<2>(64);
+    const Grid<2> grid = grid_of_boxes();
     const double dx = grid.dx();
-    Scene<2> scene(grid);
-    for (const double side : {1.0, -1.0}) {
-        scene.add(side > 0 ? "upper" : "lower", make_box<2>(dx * Vec<2>(16, 8)),
-                  pose<2>(dx * Vec<2>(side > 0 ? upper : lower, middle + side * 4.16), -side * towards));
-        scene.solids.back().motion = Motion::free;
-    }
-    const Complex<2> complex = build_complex<2>(grid, scene.solids);
-    const Inertia<2> inertia = find_inertia<2>(grid, complex, find_gap_arms<2>(grid, scene.solids, complex),
-                                               find_mouth_arms<2>(grid, scene.solids, complex));
-    const std::vector<TwistMatrix<2>> mass(scene.solids.size(), TwistMatrix<2>::Identity());
-    Eigen::MatrixXd M = direct_added_mass(couple_parts<2>(grid, scene.solids, mass, 1.0, complex, inertia));
-    for (const int spin : {2, 5}) {
-        M.row(spin) /= 8 * dx;
-        M.col(spin) /= 8 * dx;
-    }
-    return M / (128 * dx * dx);
-}
-
-double mass_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
-{
-    const Eigen::VectorXd scale = b.diagonal().cwiseSqrt().cwiseInverse();
-    return (scale.asDiagonal() * (a - b) * scale.asDiagonal()).cwiseAbs().maxCoeff();
+    const Scene<2> scene = two_boxes(
+        grid, {pose<2>(dx * Vec<2>(upper, middle + 4.16), -towards), pose<2>(dx * Vec<2>(lower, middle - 4.16), towards)});
+    return mass_of_boxes(grid, scene.solids);
 }
 
 TEST(Mouths, BetweenTwoCornersBelongToBothBodies)

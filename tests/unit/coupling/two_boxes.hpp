@@ -1,0 +1,52 @@
+// Added masses of two boxes of 16 x 8 cells in a box of 64 x 64 cells.
+#pragma once
+
+#include "../grid/scenes.hpp"
+#include "direct_mass.hpp"
+
+#include "gapflow/coupling/parts.hpp"
+
+#include <array>
+
+namespace gapflow::testing {
+
+inline Grid<2> grid_of_boxes()
+{
+    return unit_grid<2>(64);
+}
+
+/// The upper and the lower one.
+inline Scene<2> two_boxes(const Grid<2>& grid, const std::array<Pose<2>, 2>& at)
+{
+    Scene<2> scene(grid);
+    for (int k = 0; k < 2; ++k) {
+        scene.add(k == 0 ? "upper" : "lower", make_box<2>(grid.dx() * Vec<2>(16, 8)), at[k]);
+        scene.solids.back().motion = Motion::free;
+    }
+    return scene;
+}
+
+/// By twists in radii of the boxes, over the mass of the fluid that one displaces.
+inline Eigen::MatrixXd mass_of_boxes(const Grid<2>& grid, const std::vector<Solid<2>>& solids)
+{
+    const double dx = grid.dx();
+    const Complex<2> complex = build_complex<2>(grid, solids);
+    const Inertia<2> inertia =
+        find_inertia<2>(grid, complex, find_gap_arms<2>(grid, solids, complex), find_mouth_arms<2>(grid, solids, complex));
+    const std::vector<TwistMatrix<2>> mass(solids.size(), TwistMatrix<2>::Identity());
+    Eigen::MatrixXd M = direct_added_mass(couple_parts<2>(grid, solids, mass, 1.0, complex, inertia));
+    for (const int spin : {2, 5}) {
+        M.row(spin) /= 8 * dx;
+        M.col(spin) /= 8 * dx;
+    }
+    return M / (128 * dx * dx);
+}
+
+/// The largest difference, over the roots of the second one's diagonal.
+inline double mass_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+{
+    const Eigen::VectorXd scale = b.diagonal().cwiseSqrt().cwiseInverse();
+    return (scale.asDiagonal() * (a - b) * scale.asDiagonal()).cwiseAbs().maxCoeff();
+}
+
+} // namespace gapflow::testing
