@@ -275,7 +275,7 @@ private:
     double dx_measure_;
     std::vector<Vec<D>> y_, mid_;
     std::vector<double> h_;
-    std::vector<typename GapSurface<D>::Element> elements_;
+    std::vector<typename FilmSurface<D>::Element> elements_;
     EdgeTable facets_;
     std::vector<Use> uses_;
     std::vector<int> number_;
@@ -283,14 +283,14 @@ private:
 
 /// The films with all sizes times `scale`; nothing if they have more nodes than allowed.
 template <int D>
-std::optional<std::vector<FilmMesh<D>>> films_at_scale(const GapSurface<D>& base, double scale)
+std::optional<std::vector<FilmMesh<D>>> films_at_scale(const FilmSurface<D>& base, double scale)
 {
     std::vector<FilmMesh<D>> films;
-    GapSurface<D> coarse = base;
+    FilmSurface<D> coarse = base;
     if (!coarse.refine_coarsely(scale))
         return {};
     for (const std::vector<int>& label : smooth_groups<D>(base.test().other.shape(), coarse.other_patches())) {
-        GapSurface<D> surface = coarse;
+        FilmSurface<D> surface = coarse;
         surface.restrict_to(label);
         if (!surface.refine(scale))
             return {};
@@ -348,7 +348,7 @@ std::vector<FilmMesh<D>> film_meshes(const PlacedShape<D>& master, const PlacedS
     if constexpr (D == 3)
         if (const auto cut = ring_cut(test))
             return ring_films(test, *cut);
-    const GapSurface<D> surface(test, base ? *base : master.shape().surface_mesh());
+    const FilmSurface<D> surface(test, base ? *base : master.shape().surface_mesh());
     if (surface.elements().empty())
         return {};
     double scale = 1;

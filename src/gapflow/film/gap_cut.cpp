@@ -33,7 +33,7 @@ double distance(const GapCut<D>& cut, int i, int j)
 
 /// For every vertex the crossing it moves to, if any.
 template <int D>
-std::vector<Snap<D>> find_snaps(GapSurface<D>& surface)
+std::vector<Snap<D>> find_snaps(FilmSurface<D>& surface)
 {
     std::vector<Snap<D>> snaps(surface.vertices().size());
     for (const auto& edge : surface.edges()) {
@@ -55,7 +55,7 @@ std::vector<Snap<D>> find_snaps(GapSurface<D>& surface)
 } // namespace
 
 template <int D>
-GapCut<D> cut_at_end(GapSurface<D>& surface)
+GapCut<D> cut_at_end(FilmSurface<D>& surface)
 {
     GapCut<D> cut;
     const auto& vertices = surface.vertices();
@@ -113,7 +113,7 @@ GapCut<D> cut_at_end(GapSurface<D>& surface)
         for (int k = 0; k < D; ++k) {
             if (side[element.nodes[k]] != Side::outside)
                 polygon[n++] = element.nodes[k];
-            if (k < GapSurface<D>::edges_per_element && node_of[surface.edges_of(e)[k]] >= 0)
+            if (k < FilmSurface<D>::edges_per_element && node_of[surface.edges_of(e)[k]] >= 0)
                 polygon[n++] = node_of[surface.edges_of(e)[k]];
         }
         if constexpr (D == 2) {
@@ -131,7 +131,7 @@ GapCut<D> cut_at_end(GapSurface<D>& surface)
     return cut;
 }
 
-template GapCut<2> cut_at_end(GapSurface<2>&);
-template GapCut<3> cut_at_end(GapSurface<3>&);
+template GapCut<2> cut_at_end(FilmSurface<2>&);
+template GapCut<3> cut_at_end(FilmSurface<3>&);
 
 } // namespace gapflow

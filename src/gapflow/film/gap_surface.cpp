@@ -48,7 +48,7 @@ std::vector<int> elements_within_reach(const GapTest<D>& test, const SurfaceMesh
 } // namespace
 
 template <int D>
-GapSurface<D>::GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base)
+FilmSurface<D>::FilmSurface(const GapTest<D>& test, const SurfaceMesh<D>& base)
     : test_(test), sizes_{}, other_planar_(!test.other.shape().planes().empty())
 {
     const PlacedShape<D>& master = test_.master;
@@ -119,7 +119,7 @@ GapSurface<D>::GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base)
 }
 
 template <int D>
-int GapSurface<D>::add_vertex(const Vec<D>& x, const Vec<D>& nudge, int patch, bool crease, bool fixed)
+int FilmSurface<D>::add_vertex(const Vec<D>& x, const Vec<D>& nudge, int patch, bool crease, bool fixed)
 {
     Vertex v{x, nudge, test_.other.closest(x + nudge), 0, patch, crease, fixed, {}};
     look(v);
@@ -129,7 +129,7 @@ int GapSurface<D>::add_vertex(const Vec<D>& x, const Vec<D>& nudge, int patch, b
 
 /// Decides whether a vertex, its closest point known, is in the gap.
 template <int D>
-void GapSurface<D>::look(Vertex& v) const
+void FilmSurface<D>::look(Vertex& v) const
 {
     const Vec<D> x = v.x + v.nudge;
     const Vec<D> n = test_.master.patch_normal(x, v.patch);
@@ -138,7 +138,7 @@ void GapSurface<D>::look(Vertex& v) const
 }
 
 template <int D>
-std::vector<int> GapSurface<D>::other_patches() const
+std::vector<int> FilmSurface<D>::other_patches() const
 {
     std::vector<int> patches;
     for (const Vertex& v : vertices_)
@@ -149,7 +149,7 @@ std::vector<int> GapSurface<D>::other_patches() const
 }
 
 template <int D>
-void GapSurface<D>::restrict_to(const std::vector<int>& label)
+void FilmSurface<D>::restrict_to(const std::vector<int>& label)
 {
     test_.label = label;
     for (Vertex& v : vertices_) {
@@ -160,7 +160,7 @@ void GapSurface<D>::restrict_to(const std::vector<int>& label)
 }
 
 template <int D>
-void GapSurface<D>::number_edges()
+void FilmSurface<D>::number_edges()
 {
     edges_.clear();
     element_edges_.resize(elements_.size());
@@ -184,7 +184,7 @@ void GapSurface<D>::number_edges()
 }
 
 template <int D>
-int GapSurface<D>::across_crease(int a, int b) const
+int FilmSurface<D>::across_crease(int a, int b) const
 {
     if (D == 2 || !vertices_[a].crease || !vertices_[b].crease)
         return -2;
@@ -193,7 +193,7 @@ int GapSurface<D>::across_crease(int a, int b) const
 }
 
 template <int D>
-auto GapSurface<D>::crossing(const Edge& edge, int* index) -> const Crossing&
+auto FilmSurface<D>::crossing(const Edge& edge, int* index) -> const Crossing&
 {
     int& id = crossing_table_.insert(edge.a, edge.b);
     if (id < 0) {
@@ -238,7 +238,7 @@ auto GapSurface<D>::crossing(const Edge& edge, int* index) -> const Crossing&
     return crossings_[id];
 }
 
-template class GapSurface<2>;
-template class GapSurface<3>;
+template class FilmSurface<2>;
+template class FilmSurface<3>;
 
 } // namespace gapflow

@@ -7,7 +7,7 @@
 namespace gapflow {
 
 template <int D>
-class GapSurface {
+class FilmSurface {
 public:
     static constexpr int edges_per_element = D == 2 ? 1 : 3;
 
@@ -46,7 +46,7 @@ public:
     };
 
     /// Base mesh: the elements of the master that may reach the gap. Vertices are split along sharp edges.
-    GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base);
+    FilmSurface(const GapTest<D>& test, const SurfaceMesh<D>& base);
 
     /// Splits until no element is larger than the largest size times `scale`; drops elements that cannot reach the gap. False if that
     /// needs more vertices in the gap than allowed.

@@ -25,7 +25,7 @@ constexpr double smallest_kink = 1. / 16; ///< of the straddling size: elements 
 } // namespace
 
 template <int D>
-bool GapSurface<D>::refine_coarsely(double scale)
+bool FilmSurface<D>::refine_coarsely(double scale)
 {
     const FilmMeshOptions& o = test_.options;
     sizes_ = {scale * o.largest * o.dx, scale * o.largest_curved * o.dx, 0, 0, 0, 0, 0, 0};
@@ -33,7 +33,7 @@ bool GapSurface<D>::refine_coarsely(double scale)
 }
 
 template <int D>
-bool GapSurface<D>::refine(double scale)
+bool FilmSurface<D>::refine(double scale)
 {
     const FilmMeshOptions& o = test_.options;
     sizes_ = {scale * o.largest * o.dx,  scale * o.largest_curved * o.dx, scale * o.smallest * o.dx,
@@ -43,7 +43,7 @@ bool GapSurface<D>::refine(double scale)
 }
 
 template <int D>
-bool GapSurface<D>::run(bool coarse)
+bool FilmSurface<D>::run(bool coarse)
 {
     drop_unreachable();
     for (int round = 0; round < 200; ++round) {
@@ -72,14 +72,14 @@ bool GapSurface<D>::run(bool coarse)
 
 /// Whether h changes by more than the largest ratio.
 template <int D>
-bool GapSurface<D>::varies(double h0, double h1) const
+bool FilmSurface<D>::varies(double h0, double h1) const
 {
     return std::max(h0, h1) > slack * test_.options.ratio * std::min(h0, h1);
 }
 
 /// Whether the gap ends between curved surfaces at a vertex that is not in it, not at an edge of either.
 template <int D>
-bool GapSurface<D>::goes_out_smoothly(const Vertex& v, int patch) const
+bool FilmSurface<D>::goes_out_smoothly(const Vertex& v, int patch) const
 {
     return (v.fails == RimEnd::thickness || v.fails == RimEnd::normals || v.fails == RimEnd::third_body) &&
            test_.curvature(patch, v.p.patch) > 0;
@@ -87,7 +87,7 @@ bool GapSurface<D>::goes_out_smoothly(const Vertex& v, int patch) const
 
 /// Size of elements that the gap's end cuts; `v`: their vertex that is not in it.
 template <int D>
-double GapSurface<D>::size_at_end(const Vertex& v, int patch) const
+double FilmSurface<D>::size_at_end(const Vertex& v, int patch) const
 {
     if (goes_out_smoothly(v, patch))
         return sizes_.straddle_smooth;
@@ -95,7 +95,7 @@ double GapSurface<D>::size_at_end(const Vertex& v, int patch) const
 }
 
 template <int D>
-bool GapSurface<D>::too_long(const Edge& edge, bool coarse) const
+bool FilmSurface<D>::too_long(const Edge& edge, bool coarse) const
 {
     const double length = edge.length;
     const Vertex &a = vertices_[edge.a], &b = vertices_[edge.b];
@@ -120,7 +120,7 @@ bool GapSurface<D>::too_long(const Edge& edge, bool coarse) const
 
 /// Sets what depends on the direction of edges: the gap between a cylinder and a plane asks for small elements across the line of contact alone.
 template <int D>
-void GapSurface<D>::measure(bool coarse)
+void FilmSurface<D>::measure(bool coarse)
 {
     for (Edge& edge : edges_) {
         edge.extent = edge.length;
@@ -157,7 +157,7 @@ void GapSurface<D>::measure(bool coarse)
 }
 
 template <int D>
-bool GapSurface<D>::mark_edges(bool coarse)
+bool FilmSurface<D>::mark_edges(bool coarse)
 {
     bool any = false;
     for (Edge& edge : edges_)
@@ -180,7 +180,7 @@ bool GapSurface<D>::mark_edges(bool coarse)
 
 /// Marks the edges that the cut at the gap's end requires: h up to the end within the largest ratio, straight cuts.
 template <int D>
-bool GapSurface<D>::mark_at_end()
+bool FilmSurface<D>::mark_at_end()
 {
     bool any = false;
     for (Edge& edge : edges_)
@@ -200,7 +200,7 @@ bool GapSurface<D>::mark_at_end()
 
 /// Whether the gap's end cuts the element in a straight line (or the element is as small as it may be).
 template <int D>
-bool GapSurface<D>::straight(int e)
+bool FilmSurface<D>::straight(int e)
 {
     if constexpr (D == 3) {
         const double length = edges_[longest_edge(e)].length;
@@ -236,7 +236,7 @@ bool GapSurface<D>::straight(int e)
 }
 
 template <int D>
-int GapSurface<D>::longest_edge(int e) const
+int FilmSurface<D>::longest_edge(int e) const
 {
     const auto& ids = element_edges_[e];
     int best = ids[0];
@@ -252,7 +252,7 @@ int GapSurface<D>::longest_edge(int e) const
 
 /// Marks the longest edge of every element with a marked edge.
 template <int D>
-void GapSurface<D>::close_marks()
+void FilmSurface<D>::close_marks()
 {
     if (D == 2)
         return;
@@ -270,7 +270,7 @@ void GapSurface<D>::close_marks()
 }
 
 template <int D>
-void GapSurface<D>::split_edge(Edge& edge, const Vec<D>& interior)
+void FilmSurface<D>::split_edge(Edge& edge, const Vec<D>& interior)
 {
     const Vec<D> x = test_.onto(0.5 * (vertices_[edge.a].x + vertices_[edge.b].x), edge.patch, edge.second);
     const Vec<D> nudge = edge.crease ? Vec<D>(1e-9 * (interior - x)) : Vec<D>(Vec<D>::Zero());
@@ -281,7 +281,7 @@ void GapSurface<D>::split_edge(Edge& edge, const Vec<D>& interior)
 }
 
 template <int D>
-void GapSurface<D>::split_marked()
+void FilmSurface<D>::split_marked()
 {
     const int n = int(elements_.size());
     for (int e = 0; e < n; ++e)
@@ -337,7 +337,7 @@ void GapSurface<D>::split_marked()
 
 /// Whether an element can be dropped.
 template <int D>
-bool GapSurface<D>::out_of_reach(int e) const
+bool FilmSurface<D>::out_of_reach(int e) const
 {
     const Element& element = elements_[e];
     const double kappa_master = test_.master.shape().curvature(element.patch);
@@ -378,7 +378,7 @@ bool GapSurface<D>::out_of_reach(int e) const
 }
 
 template <int D>
-void GapSurface<D>::drop_unreachable()
+void FilmSurface<D>::drop_unreachable()
 {
     std::vector<Element> kept;
     kept.reserve(elements_.size());
@@ -388,7 +388,7 @@ void GapSurface<D>::drop_unreachable()
     elements_.swap(kept);
 }
 
-template class GapSurface<2>;
-template class GapSurface<3>;
+template class FilmSurface<2>;
+template class FilmSurface<3>;
 
 } // namespace gapflow

@@ -35,7 +35,7 @@ Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bod
     const ViscousSystem<D> system =
         viscous_system(there, model.scene.viscosity, step.dt, u.grid, moving, to_vec<D>(model.scene.fluid_velocity));
     const FaceField<D> before = u.grid;
-    ViscousStep<D> solved = solve_viscous_system(system, u.grid, moving, model.scene.tolerance);
+    ViscousSolution<D> solved = solve_viscous_system(system, u.grid, moving, model.scene.tolerance);
     if (!solved.report.converged)
         throw ComputationError("the viscous solve of step " + std::to_string(step.number) + " did not converge (" +
                                std::to_string(solved.report.iterations) + " iterations, relative residual " +

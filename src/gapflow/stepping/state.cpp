@@ -116,7 +116,7 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
     list_pairs(archive, "films_turned", state.turned);
     archive.optional("gap_ways", !state.gap_ways.pairs.empty(), [&] {
         GapWays<D>& ways = state.gap_ways;
-        list_pairs(archive, "pairs", ways.pairs, [](StateArchive& items, GapWay& way) {
+        list_pairs(archive, "pairs", ways.pairs, [](StateArchive& items, GapChange& way) {
             items("share", way.share);
             items("change", way.change);
         });

@@ -40,7 +40,7 @@ struct Drive {
 };
 
 /// How the gap of a pair changes in a step.
-struct GapWay {
+struct GapChange {
     double share = 0;  ///< of the bodies' relative velocity that drag takes
     double change = 0; ///< of the gap, over the part that time.gap_cfl allows
 };
@@ -48,7 +48,7 @@ struct GapWay {
 /// The same of all pairs for whose drag it matters (stepping/gap_limit).
 template <int D>
 struct GapWays {
-    std::map<FilmPair<D>, GapWay> pairs;
+    std::map<FilmPair<D>, GapChange> pairs;
     std::vector<Pose<D>> from; ///< of the bodies, before the step; empty without such pairs
 };
 

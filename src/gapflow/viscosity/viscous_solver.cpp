@@ -392,12 +392,12 @@ double known_part(const std::array<int, 2>& solid, const std::array<Twist<D>, 2>
 } // namespace
 
 template <int D>
-ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>& u, const ViscousBodies<D>& bodies,
-                                    double tolerance)
+ViscousSolution<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>& u, const ViscousBodies<D>& bodies,
+                                        double tolerance)
 {
     constexpr int n = twist_size<D>;
     const Grid<D>& grid = *system.grid;
-    ViscousStep<D> step;
+    ViscousSolution<D> step;
     step.twists = bodies.twists;
 
     Unknowns<D> x(system);
@@ -409,7 +409,7 @@ ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>
             for (int i = 0; i < owned_faces_end(grid, axis)[0] - row[0]; ++i)
                 to[i] = active[i] ? from[i] : 0.0;
         });
-    for (const CutFace<D>& face : system.cut) {
+    for (const ViscousCutFace<D>& face : system.cut) {
         double& w = x.u[face.axis].data()[face.at];
         w = (w - (face.solid >= 0 ? face.row.dot(bodies.twists[face.solid]) : 0.0)) / face.share;
     }
@@ -436,7 +436,7 @@ ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>
             for (int i = 0; i < owned_faces_end(grid, axis)[0] - row[0]; ++i)
                 to[i] = active[i] ? from[i] : to[i];
         });
-    for (const CutFace<D>& face : system.cut)
+    for (const ViscousCutFace<D>& face : system.cut)
         u[face.axis].data()[face.at] =
             face.share * x.u[face.axis].data()[face.at] + (face.solid >= 0 ? face.row.dot(step.twists[face.solid]) : 0.0);
     for (const FollowingFace<D>& face : system.following) {
@@ -464,7 +464,7 @@ ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>
     return step;
 }
 
-template ViscousStep<2> solve_viscous_system<2>(const ViscousSystem<2>&, FaceField<2>&, const ViscousBodies<2>&, double);
-template ViscousStep<3> solve_viscous_system<3>(const ViscousSystem<3>&, FaceField<3>&, const ViscousBodies<3>&, double);
+template ViscousSolution<2> solve_viscous_system<2>(const ViscousSystem<2>&, FaceField<2>&, const ViscousBodies<2>&, double);
+template ViscousSolution<3> solve_viscous_system<3>(const ViscousSystem<3>&, FaceField<3>&, const ViscousBodies<3>&, double);
 
 } // namespace gapflow

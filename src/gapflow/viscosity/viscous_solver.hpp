@@ -12,7 +12,7 @@ struct ViscousReport {
 };
 
 template <int D>
-struct ViscousStep {
+struct ViscousSolution {
     std::vector<Twist<D>> twists;   ///< of all solids
     std::vector<Twist<D>> impulses; ///< of the fluid's viscous traction on every solid but walls, about its centre
     double energy = 0;              ///< twice what the step minimises, at its solution
@@ -22,7 +22,7 @@ struct ViscousStep {
 /// u: u* on entry, the velocity after the viscous step on return, on this rank's open faces; other faces stay. `twists`: V* of
 /// free bodies, of others as given. Collective.
 template <int D>
-ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>& u, const ViscousBodies<D>& bodies,
-                                    double tolerance);
+ViscousSolution<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>& u, const ViscousBodies<D>& bodies,
+                                        double tolerance);
 
 } // namespace gapflow

@@ -89,7 +89,7 @@ private:
     struct SpecialFaces {
         std::vector<double> constants;
         std::vector<ViscousTerm<D>> terms;
-        std::vector<CutFace<D>> cut;
+        std::vector<ViscousCutFace<D>> cut;
         std::vector<HeldMass> beside_walls;
         std::vector<std::pair<long, NarrowGap<D>>> gaps;
         std::vector<std::pair<int, Eigen::Matrix<double, spin_size<D>, spin_size<D>>>> turning;

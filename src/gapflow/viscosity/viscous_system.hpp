@@ -38,7 +38,7 @@ struct ViscousTerm {
 
 /// A cut face of this rank whose velocity is u = share w + row . V of the solid.
 template <int D>
-struct CutFace {
+struct ViscousCutFace {
     int axis;
     long at;
     double share;
@@ -76,7 +76,7 @@ struct ViscousSystem {
     FaceField<D> rhs;
     double constant = 0;               ///< this rank's share of twice the energy at (w, V) = 0
     std::vector<ViscousTerm<D>> terms; ///< those with a solid
-    std::vector<CutFace<D>> cut;
+    std::vector<ViscousCutFace<D>> cut;
     std::vector<FollowingFace<D>> following;
     std::vector<HeldMass> beside_walls;
     std::vector<int> free_body;             ///< number of each solid among the free bodies, -1: none

@@ -46,11 +46,11 @@ struct World {
         sides.fill(SideKind::periodic);
         return sides;
     }
-    ViscousStep<D> step(FaceField<D>& u, double dt)
+    ViscousSolution<D> step(FaceField<D>& u, double dt)
     {
         exchange(grid, u);
         const ViscousSystem<D> system = viscous_system(coupling, viscosity, dt, u, bodies);
-        ViscousStep<D> result = solve_viscous_system(system, u, bodies, 1e-12);
+        ViscousSolution<D> result = solve_viscous_system(system, u, bodies, 1e-12);
         EXPECT_TRUE(result.report.converged);
         EXPECT_LT(result.report.iterations, 40);
         return result;
@@ -88,12 +88,12 @@ void check_wave()
     }
 }
 
-TEST(ViscousStep, WaveDecaysAsTheGridsExactSolution2D)
+TEST(ViscousSolution, WaveDecaysAsTheGridsExactSolution2D)
 {
     check_wave<2>();
 }
 
-TEST(ViscousStep, WaveDecaysAsTheGridsExactSolution3D)
+TEST(ViscousSolution, WaveDecaysAsTheGridsExactSolution3D)
 {
     check_wave<3>();
 }
@@ -107,18 +107,18 @@ void check_common_motion()
         world.bodies.twists[0][k] = 0.3 + k;
     FaceField<D> u(world.grid);
     world.for_each_open_face([&](int axis, const Index<D>& f, const Vec<D>&, double) { u(axis, f) = 0.3 + axis; });
-    const ViscousStep<D> step = world.step(u, 0.5);
+    const ViscousSolution<D> step = world.step(u, 0.5);
     EXPECT_LT((step.twists[0] - world.bodies.twists[0]).norm(), 1e-10);
     world.for_each_open_face(
         [&](int axis, const Index<D>& f, const Vec<D>&, double) { EXPECT_NEAR(u(axis, f), 0.3 + axis, 1e-10); });
 }
 
-TEST(ViscousStep, CommonMotionStays2D)
+TEST(ViscousSolution, CommonMotionStays2D)
 {
     check_common_motion<2>();
 }
 
-TEST(ViscousStep, CommonMotionStays3D)
+TEST(ViscousSolution, CommonMotionStays3D)
 {
     check_common_motion<3>();
 }
@@ -144,7 +144,7 @@ void check_balance()
         return sum;
     };
     const auto before = momentum_and_energy(world.bodies.twists[0]);
-    const ViscousStep<D> step = world.step(u, 0.05);
+    const ViscousSolution<D> step = world.step(u, 0.05);
     const auto after = momentum_and_energy(step.twists[0]);
     EXPECT_LT((after - before).template head<D>().norm(), 1e-10 * before.template head<D>().norm());
     EXPECT_LT(after[D], 0.9 * before[D]);
@@ -152,12 +152,12 @@ void check_balance()
     EXPECT_LT((gained - step.impulses[0]).norm(), 1e-9 * gained.norm());
 }
 
-TEST(ViscousStep, ConservesMomentumAndLosesEnergy2D)
+TEST(ViscousSolution, ConservesMomentumAndLosesEnergy2D)
 {
     check_balance<2>();
 }
 
-TEST(ViscousStep, ConservesMomentumAndLosesEnergy3D)
+TEST(ViscousSolution, ConservesMomentumAndLosesEnergy3D)
 {
     check_balance<3>();
 }
