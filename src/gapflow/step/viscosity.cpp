@@ -327,12 +327,12 @@ void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const Visco
 
 template <int D>
 ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass, const ViscousLoads<D>& loads,
-                             double viscosity, double dt, PotentialFlow<D>& flow)
+                             double viscosity, double dt, double tolerance, PotentialFlow<D>& flow)
 {
     const double factor = viscosity * std::pow(at.coupling.grid->dx(), D - 2) * stage_share * dt,
                  volume = at.coupling.grid->size().prod();
     const ViscousColumns<D> columns(at, *at.viscous);
-    const ViscousSolve<D> solve(at, columns, mass, factor);
+    const ViscousSolve<D> solve(at, columns, mass, factor, tolerance);
     Eigen::VectorXd load = Eigen::VectorXd::Zero(columns.columns());
     for (std::size_t s = 0; s < loads.impulse.size(); ++s)
         load.segment<twist_size<D>>(columns.twist(static_cast<int>(s))) = loads.impulse[s];
@@ -381,7 +381,7 @@ ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void fill_covered<D>(const Placed<D>&, FaceField<D>&);                                                            \
     template ViscousStep<D> add_viscosity<D>(const Placed<D>&, const std::vector<TwistMatrix<D>>&, const ViscousLoads<D>&,     \
-                                             double, double, PotentialFlow<D>&);                                               \
+                                             double, double, double, PotentialFlow<D>&);                                       \
     template Vec<D> mean_flux<D>(const Grid<D>&, const FaceField<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

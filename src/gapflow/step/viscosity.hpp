@@ -33,7 +33,7 @@ struct ViscousStep {
 /// `mass`: of all solids, their own. Throws ComputationError where the solve does not converge.
 template <int D>
 ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass, const ViscousLoads<D>& loads,
-                             double viscosity, double dt, PotentialFlow<D>& flow);
+                             double viscosity, double dt, double tolerance, PotentialFlow<D>& flow);
 
 /// Mean velocity of fluid and solids over the domain, of the flow's fluxes.
 template <int D>

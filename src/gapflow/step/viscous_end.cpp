@@ -40,7 +40,8 @@ void with_viscosity(const Model<D>& model, const std::vector<TwistMatrix<D>>& ma
     const std::array<double, 2 *D> before = impulses_beyond(model, step.start), after = impulses_beyond(model, step.landing);
     for (int side = 0; side < 2 * D; ++side)
         acting.sides[side] = after[side] - before[side];
-    const ViscousStep<D> viscous = add_viscosity(*now.placed, mass, acting, model.scene.viscosity, step.dt, now.flow);
+    const ViscousStep<D> viscous =
+        add_viscosity(*now.placed, mass, acting, model.scene.viscosity, step.dt, model.scene.tolerance, now.flow);
     state.drive.gradient = viscous.gradient;
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         state.wrenches[b] += viscous.impulse[b] / step.dt;

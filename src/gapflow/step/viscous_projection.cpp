@@ -9,8 +9,7 @@
 namespace gapflow {
 namespace {
 
-constexpr double projection_tolerance = 1e-9; // of the largest residual
-constexpr double loosest = 1e-4;              // of each
+constexpr double loosest = 1e-4;    // of each
 constexpr double least_body = 1e-3; // of a mode of the bodies' block, over the largest: D may take all of a light body's
 
 /// Positive, whatever light bodies lose to the volume that planes see of them: only a preconditioner.
@@ -31,8 +30,9 @@ Eigen::MatrixXd positive(const Eigen::MatrixXd& block)
 template <int D>
 ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns,
                                         const Eigen::SparseMatrix<double>& free, const Vector& diagonal,
-                                        const Eigen::MatrixXd& bodies)
-    : columns_(columns), diagonal_(diagonal), traces_(columns, free, diagonal.tail(diagonal.size() - columns.edges())),
+                                        const Eigen::MatrixXd& bodies, double tolerance)
+    : columns_(columns), diagonal_(diagonal), tolerance_(tolerance),
+      traces_(columns, free, diagonal.tail(diagonal.size() - columns.edges())),
       coupling_(std::make_unique<Coupling<D>>(at.coupling))
 {
     const Grid<D>& grid = *at.coupling.grid;
@@ -89,7 +89,7 @@ ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumn
     system.response = BodyResponse(system.mass, system.contact, system.contact_resistance);
     find_components(coupling);
     SolverOptions options;
-    options.tolerance = projection_tolerance;
+    options.tolerance = tolerance;
     solver_ = std::make_unique<CoupledSolver<D>>(system, options);
     // Columns of the unknowns: edges and traces, then the free bodies' twists.
     std::vector<Eigen::Triplet<double>> entries;
@@ -110,35 +110,39 @@ ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumn
         add(cells + entry.row, entry.body, entry.flux);
     outflow_.resize(columns.unknowns(), fluid + twist_size<D> * system.bodies);
     outflow_.setFromTriplets(entries.begin(), entries.end());
+    held_ = outflow_.transpose();
 }
 
 template <int D>
-Eigen::VectorXd ViscousProjection<D>::weighted(const Vector& residual) const
+void ViscousProjection<D>::find_weighted(const Vector& residual, Vector& z) const
 {
-    Vector z = Vector::Zero(residual.size());
     const int edges = columns_.edges();
+    const Eigen::Index fluid = diagonal_.size();
+    z.resize(residual.size());
     z.head(edges) = residual.head(edges).cwiseQuotient(diagonal_.head(edges));
-    if (const Eigen::Index n = residual.size() - diagonal_.size(); n > 0)
+    z.segment(edges, fluid - edges).setZero();
+    if (const Eigen::Index n = residual.size() - fluid; n > 0)
         z.tail(n) = bodies_.solve(residual.tail(n));
-    return z;
 }
 
 template <int D>
 Eigen::VectorXd ViscousProjection<D>::project(Vector& residual, Vector& z, double& largest) const
 {
-    Vector whole = residual + traces_.pulled(residual);
-    const Vector outflow = outflow_ * weighted(whole);
+    Vector whole = residual;
+    traces_.pull(residual, whole);
+    find_weighted(whole, z);
+    const Vector outflow = outflow_ * z;
     const double size = outflow.norm();
     largest = std::max(largest, size);
     UnknownVector<D> p = columns_.to_unknowns(Vector::Zero(columns_.unknowns()));
-    const SolveReport report = solver_->solve(p, columns_.to_unknowns(outflow), 0.0,
-                                              std::min(loosest, projection_tolerance * largest / std::max(size, 1e-300)));
+    const SolveReport report =
+        solver_->solve(p, columns_.to_unknowns(outflow), 0.0, std::min(loosest, tolerance_ * largest / std::max(size, 1e-300)));
     if (!report.converged)
         throw ComputationError("the projection of the viscous solve did not converge: " + report.message);
-    const Vector pressure = columns_.of_unknowns(p), held = outflow_.transpose() * pressure;
+    const Vector pressure = columns_.of_unknowns(p), held = held_ * pressure;
     residual -= held;
     whole -= held;
-    z = weighted(whole);
+    find_weighted(whole, z);
     traces_.follow(residual, z);
     return pressure;
 }

@@ -15,21 +15,23 @@ public:
     using Vector = Eigen::VectorXd;
 
     /// `diagonal`: of edges and traces; `bodies`: the block of the free bodies' admissible twists; `free`: columns of the unknowns.
+    /// `tolerance`: of the outflow that projections leave, over the largest that a residual has had.
     ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free,
-                      const Vector& diagonal, const Eigen::MatrixXd& bodies);
+                      const Vector& diagonal, const Eigen::MatrixXd& bodies, double tolerance);
 
     /// z, and takes the pressure's part out of the residual of edges, traces and free twists. Returns the pressure. `largest`: outflow of the residuals so far, of
     /// which the projection's is a part.
     Vector project(Vector& residual, Vector& z, double& largest) const;
 
 private:
-    Vector weighted(const Vector& residual) const; ///< G^-1 r of edges and twists
+    void find_weighted(const Vector& residual, Vector& z) const; ///< G^-1 r of edges and twists
 
     const ViscousColumns<D>& columns_;
     Vector diagonal_;
+    double tolerance_;
     ViscousTraces<D> traces_;
     Eigen::LDLT<Eigen::MatrixXd> bodies_;
-    typename ViscousColumns<D>::Rows outflow_; ///< rows x unknowns
+    typename ViscousColumns<D>::Rows outflow_, held_; ///< rows x unknowns, and transposed
     std::unique_ptr<Coupling<D>> coupling_;
     std::unique_ptr<CoupledSolver<D>> solver_;
 };

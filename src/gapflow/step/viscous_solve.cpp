@@ -12,10 +12,9 @@
 namespace gapflow {
 namespace {
 
-constexpr double penalty = 1e4;              // over what the row's own unknowns resist with
-constexpr double solve_accuracy = 1e-13;     // of the square root of the energy
-constexpr double iteration_accuracy = 1e-11; // of conjugate gradients, likewise
-constexpr double round_off = 1e-9;           // of the same, where corrections no longer become smaller
+constexpr double penalty = 1e4;          // over what the row's own unknowns resist with
+constexpr double solve_accuracy = 1e-13; // of the square root of the energy
+constexpr double round_off = 1e-9;       // of the same, where corrections no longer become smaller
 constexpr int most_corrections = 60;
 
 [[noreturn]] void fail(int iterations)
@@ -35,13 +34,17 @@ struct ViscousSolve<D>::Direct {
 
 template <int D>
 struct ViscousSolve<D>::Projected {
+    using Rows = typename ViscousColumns<D>::Rows;
+
     ViscousProjection<D> projection;
+    Rows form, unknowns; ///< the form's columns of the unknowns, and transposed
+    Matrix bodies;       ///< mass of the free bodies' unknowns
 };
 
 template <int D>
 ViscousSolve<D>::ViscousSolve(const Placed<D>& at, const ViscousColumns<D>& columns, const std::vector<TwistMatrix<D>>& mass,
-                              double factor, ViscousMethod method)
-    : columns_(columns), factor_(factor)
+                              double factor, double tolerance, ViscousMethod method)
+    : columns_(columns), factor_(factor), tolerance_(tolerance)
 {
     find_mass(at, mass);
     find_free(at, mass);
@@ -115,7 +118,13 @@ void ViscousSolve<D>::set_up_projected(const Placed<D>& at)
 {
     Vector diagonal = factor_ * columns_.diagonal().head(columns_.twist(0));
     diagonal.head(columns_.edges()).array() += 1;
-    projected_ = std::make_unique<Projected>(Projected{ViscousProjection<D>(at, columns_, free_, diagonal, body_block())});
+    using Rows = typename Projected::Rows;
+    const Rows form = columns_.form() * Rows(free_);
+    const Eigen::Index n = free_.cols() - columns_.twist(0);
+    const Matrix motions = free_.rightCols(n);
+    projected_ = std::make_unique<Projected>(
+        Projected{ViscousProjection<D>(at, columns_, free_, diagonal, body_block(), tolerance_), form, Rows(form.transpose()),
+                  Matrix(Matrix(motions.transpose()) * mass_ * motions) + Matrix(hold_.bottomRightCorner(n, n))});
 }
 
 /// Own masses, D, what gaps add; edges have the energy 1/2 n^2.
@@ -229,12 +238,21 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
     Vector x = Vector::Zero(free_.cols()); // change in the unknowns
     if (like && like->change.size() > 0)
         x = like->change;
-    const auto product = [&](const Vector& v) {
-        const Vector y = free_ * v;
-        return Vector(free_.transpose() * (mass_ * y + friction(y)) + hold_ * v);
+    const ViscousForm<D>& form = columns_.of_form();
+    typename ViscousForm<D>::Room room;
+    Vector u, by(form.columns()), q(x.size());
+    const auto find_product = [&](const Vector& v) { // q, of edges with the energy 1/2 n^2
+        u.noalias() = projected_->form * v;
+        form.product({u.data(), static_cast<std::size_t>(u.size())}, {by.data(), static_cast<std::size_t>(by.size())}, room);
+        q.noalias() = projected_->unknowns * by;
+        q *= factor_;
+        q.head(columns_.edges()) += v.head(columns_.edges());
+        const Eigen::Index n = projected_->bodies.cols();
+        q.tail(n) += projected_->bodies * v.tail(n);
     };
     Stage stage{base, Vector::Zero(columns_.unknowns())};
-    Vector r = free_.transpose() * (load - friction(base)) - product(x);
+    find_product(x);
+    Vector r = free_.transpose() * (load - friction(base)) - q;
     Vector z, p;
     // Relative to the kinetic energy, or where there is none to what is gained: slip along walls that nothing resists yet has residuals of any size.
     double rz = 0, largest_outflow = 0, scale = base.dot(mass_ * base);
@@ -242,13 +260,16 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
     for (stage.iterations = 0;; ++stage.iterations) {
         stage.pressure += projection.project(r, z, largest_outflow); // r without what a pressure holds
         const double next = r.dot(z);
-        if (next >= 0 && next <= iteration_accuracy * iteration_accuracy * scale)
+        if (next >= 0 && next <= tolerance_ * tolerance_ * scale)
             break;
         if (stage.iterations == most_iterations || !(next > 0))
             fail(stage.iterations);
-        p = stage.iterations == 0 ? z : Vector(z + next / rz * p);
+        if (stage.iterations == 0)
+            p = z;
+        else
+            p = z + next / rz * p;
         rz = next;
-        const Vector q = product(p);
+        find_product(p);
         const double step = rz / p.dot(q);
         x += step * p;
         if (from_rest)

@@ -28,8 +28,9 @@ public:
     using Matrix = Eigen::SparseMatrix<double>;
 
     /// `mass`: of all solids, their own. `factor`: viscosity times time, by the length of a cell to the power D - 2.
+    /// `tolerance`: of conjugate gradients, of the square root of the energy.
     ViscousSolve(const Placed<D>& at, const ViscousColumns<D>& columns, const std::vector<TwistMatrix<D>>& mass, double factor,
-                 ViscousMethod method = viscous_method<D>);
+                 double tolerance, ViscousMethod method = viscous_method<D>);
     ~ViscousSolve();
 
     struct Stage {
@@ -62,7 +63,7 @@ private:
     Eigen::MatrixXd body_block() const;
 
     const ViscousColumns<D>& columns_;
-    double factor_;
+    double factor_, tolerance_;
     Matrix mass_;
     Matrix free_; ///< columns x unknowns: edges, traces, and the free bodies' twists that their constraints admit
     Matrix hold_; ///< of unknowns that no motion has

@@ -17,8 +17,8 @@ constexpr double least = 0.02; // of a mode of a face's traces, over its diagona
 template <int D>
 ViscousTraces<D>::ViscousTraces(const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free,
                                 const Vector& resistance)
-    : columns_(columns), first_(columns.trace(0)), means_(columns.means() * Rows(free)), scale_(resistance.size()),
-      alone_(Vector::Zero(resistance.size()))
+    : columns_(columns), first_(columns.trace(0)), means_(columns.means() * Rows(free)), pulled_(means_.transpose()),
+      scale_(resistance.size()), alone_(Vector::Zero(resistance.size()))
 {
     const RowList& beside = columns.of_form().beside;
     for (Eigen::Index k = 0; k < scale_.size(); ++k) {
@@ -90,7 +90,9 @@ void ViscousTraces<D>::follow(const Vector& residual, Vector& z) const
             change[element.traces[i]] += sum;
         }
     z.segment(first_, scale_.size()).setZero();
-    z.segment(first_, scale_.size()) = means_ * z + change.cwiseProduct(scale_);
+    change.array() *= scale_.array();
+    change.noalias() += means_ * z;
+    z.segment(first_, scale_.size()) = change;
 }
 
 template class ViscousTraces<2>;

@@ -15,8 +15,11 @@ public:
     /// `free`: columns of the unknowns: edges, traces and free twists. `resistance`: diagonal of the system, of the traces.
     ViscousTraces(const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free, const Vector& resistance);
 
-    /// What a residual of the traces is for edges and twists: of all unknowns.
-    Vector pulled(const Vector& residual) const { return means_.transpose() * residual.segment(first_, scale_.size()); }
+    /// Adds what a residual of the traces is for edges and twists.
+    void pull(const Vector& residual, Vector& whole) const
+    {
+        whole.noalias() += pulled_ * residual.segment(first_, scale_.size());
+    }
     /// The traces that follow the other unknowns, and what their own residual asks for.
     void follow(const Vector& residual, Vector& z) const;
 
@@ -26,6 +29,7 @@ private:
     const ViscousColumns<D>& columns_;
     int first_;
     Rows means_;   ///< traces x unknowns
+    Rows pulled_;  ///< transposed
     Vector scale_; ///< 1 over the root of the resistance and of the number of faces
     Vector alone_; ///< of traces: whether no face has them
     /// Of faces with elements of their own: their traces, and the inverse of what the element resists with over the roots of the whole resistance.

@@ -32,24 +32,30 @@ double RowList::value(int row, std::span<const double> x) const
 }
 
 template <int D>
-std::vector<double> ViscousForm<D>::with_derived(std::span<const double> x) const
+void ViscousForm<D>::find_derived(std::span<const double> x, std::vector<double>& all) const
 {
-    std::vector<double> all(all_columns());
+    all.resize(all_columns());
     std::copy(x.begin(), x.end(), all.begin());
     for (int row = 0; row < derived.rows(); ++row)
         all[columns() + row] = derived.value(row, x);
-    const std::span<double> moments = std::span(all).subspan(columns() + derived.rows());
-    whole.find_moments(all, moments);
-    return all;
+    whole.find_moments(all, std::span(all).subspan(columns() + derived.rows()));
 }
 
 template <int D>
 void ViscousForm<D>::product(std::span<const double> x, std::span<double> y) const
 {
-    const std::vector<double> all = with_derived(x);
-    std::vector<double> by(all.size(), 0.0);
-    squares.add_product(all, by);
-    whole.add_product(all, std::span<const double>(by).subspan(columns() + derived.rows()), by);
+    Room room;
+    product(x, y, room);
+}
+
+template <int D>
+void ViscousForm<D>::product(std::span<const double> x, std::span<double> y, Room& room) const
+{
+    find_derived(x, room.all);
+    std::vector<double>& by = room.by;
+    by.assign(room.all.size(), 0.0);
+    squares.add_product(room.all, by);
+    whole.add_product(room.all, std::span<const double>(by).subspan(columns() + derived.rows()), by);
     for (int row = 0; row < derived.rows(); ++row)
         for (std::int64_t t = derived.end[row]; t < derived.end[row + 1]; ++t)
             by[derived.column[t]] += derived.factor[t] * by[columns() + row];
@@ -269,17 +275,16 @@ template <int D>
 Row FormBuilder<D>::of_solid(std::int32_t solid, const Vec<D>& x, int component) const
 {
     Row row;
-    const std::int32_t first = -1 - twist_size<D> * solid;
-    row.add(first - component, 1);
-    const Vec<D> r = arm(solid, x);
-    if constexpr (D == 2)
-        row.add(first - 2, component == 0 ? -r[1] : r[0]);
-    else {
-        const int e = (component + 1) % 3, f = (component + 2) % 3;
-        row.add(first - 3 - e, r[f]);
-        row.add(first - 3 - f, -r[e]);
-    }
+    add_twist(row, solid, wrench<D>(unit<D>(component), arm(solid, x)));
     return row;
+}
+
+template <int D>
+void FormBuilder<D>::add_twist(Row& row, std::int32_t solid, const Twist<D>& factor)
+{
+    for (int k = 0; k < twist_size<D>; ++k)
+        if (factor[k] != 0)
+            row.add(-1 - twist_size<D> * solid - k, factor[k]);
 }
 
 template <int D>

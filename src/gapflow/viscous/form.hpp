@@ -87,6 +87,11 @@ struct ViscousForm {
 
     /// y = A x of all columns: the entries of the solids' twists are the wrenches with which the fluid resists them, but for its pressure.
     void product(std::span<const double> x, std::span<double> y) const;
+    /// Room for all columns, for products one after the other.
+    struct Room {
+        std::vector<double> all, by;
+    };
+    void product(std::span<const double> x, std::span<double> y, Room& room) const;
     /// E of all columns.
     double energy(std::span<const double> x) const;
     /// All of it but the rotation, in `columns()` alone.
@@ -97,7 +102,7 @@ struct ViscousForm {
     std::vector<double> followed_diagonal(const std::vector<double>& diagonal) const;
 
 private:
-    std::vector<double> with_derived(std::span<const double> x) const;
+    void find_derived(std::span<const double> x, std::vector<double>& all) const;
 };
 
 /// Of a whole domain on one rank. `borders`: those of the complex's parts, see build_complex; `gaps`: the dissipation of what is narrower than a cell, which

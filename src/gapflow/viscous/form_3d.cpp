@@ -310,7 +310,9 @@ void FormBuilder<3>::add_face(std::int32_t number)
     for (int k = 0; k < 2; ++k) {
         Row moment = combined(element.moment.row(k));
         moment.merge();
-        moment_[number][(face.axis + 1 + k) % 3] = moment;
+        Row& of_face = moment_[number][(face.axis + 1 + k) % 3];
+        if (!moment.empty())
+            of_face.add(derive(std::move(moment)), 1); // both cells' rows are short by it
     }
     form_.faces[number].polygon_area = element.area;
     form_.faces[number].polygon_centroid = face.centroid;

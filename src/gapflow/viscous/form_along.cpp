@@ -94,6 +94,7 @@ void FormBuilder<D>::add_along(std::int32_t cell)
     if (!(shape.volume > viscous_parameters.least_volume) || !(share > 1e-12))
         return;
     const Eigen::SelfAdjointEigenSolver<Mat<D>> axes(shape.second);
+    const WallMoments<D> walls = wall_moments(cell);
     for (int d = 0; d < D; ++d) {
         Row one, volume;           // int of d_d u_d, and of u_d
         std::array<Row, D> linear; // int of (x_i - c_i) d_d u_d
@@ -112,19 +113,13 @@ void FormBuilder<D>::add_along(std::int32_t cell)
                 volume.add(moment_of(of.face, d), of.sign);
             volume.add(of.face, flux * r[d]);
         }
-        for (const WallPiece<D>& wall : walls_of(cell))
-            for (const WallSample<D>& sample : samples_of<D>(wall.points)) {
-                const Vec<D> r = sample.at - shape.centroid;
-                for (int e = 0; e < D; ++e) {
-                    const Row speed = of_solid(wall.solid, sample.at, e);
-                    volume.add(speed, sample.area[e] * r[d]);
-                    if (e != d)
-                        continue;
-                    one.add(speed, sample.area[d]);
-                    for (int i = 0; i < D; ++i)
-                        linear[i].add(speed, sample.area[d] * r[i]);
-                }
+        for (std::size_t k = 0; k < walls.solid.size(); ++k) {
+            add_twist(one, walls.solid[k], walls.flux[k][d]);
+            for (int i = 0; i < D; ++i) {
+                add_twist(linear[i], walls.solid[k], walls.moment[k][d][i]);
+                add_twist(volume, walls.solid[k], walls.moment[k][i][d]);
             }
+        }
         linear[d].add(volume, -1);
         form_.squares.add(share / shape.volume, one);
         for (int k = 0; k < D; ++k) {
@@ -133,12 +128,43 @@ void FormBuilder<D>::add_along(std::int32_t cell)
                 continue;
             Row row;
             for (int i = 0; i < D; ++i)
-                row.add(linear[i], axes.eigenvectors()(i, k));
+                if (axes.eigenvectors()(i, k) != 0)
+                    row.add(linear[i], axes.eigenvectors()(i, k));
             form_.squares.add(share / extent, row);
         }
     }
 }
 
+/// Of all walls of a cell.
+template <int D>
+WallMoments<D> FormBuilder<D>::wall_moments(std::int32_t cell) const
+{
+    WallMoments<D> walls;
+    for (const WallPiece<D>& wall : walls_of(cell)) {
+        const auto found = std::find(walls.solid.begin(), walls.solid.end(), wall.solid);
+        const auto k = static_cast<std::size_t>(found - walls.solid.begin());
+        if (found == walls.solid.end()) {
+            walls.solid.push_back(wall.solid);
+            walls.flux.emplace_back().fill(Twist<D>::Zero());
+            walls.moment.emplace_back();
+            for (auto& of_component : walls.moment.back())
+                of_component.fill(Twist<D>::Zero());
+        }
+        for (const WallSample<D>& sample : samples_of<D>(wall.points)) {
+            const Vec<D> r = sample.at - shapes_[cell].centroid, lever = arm(wall.solid, sample.at);
+            for (int e = 0; e < D; ++e) {
+                const Twist<D> out = sample.area[e] * wrench<D>(unit<D>(e), lever);
+                walls.flux[k][e] += out;
+                for (int i = 0; i < D; ++i)
+                    walls.moment[k][e][i] += r[i] * out;
+            }
+        }
+    }
+    return walls;
+}
+
+template WallMoments<2> FormBuilder<2>::wall_moments(std::int32_t) const;
+template WallMoments<3> FormBuilder<3>::wall_moments(std::int32_t) const;
 template void FormBuilder<2>::add_along(std::int32_t);
 template bool FormBuilder<2>::is_closed_border(std::int32_t) const;
 template bool FormBuilder<3>::is_closed_border(std::int32_t) const;

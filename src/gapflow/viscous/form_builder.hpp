@@ -34,6 +34,14 @@ struct WallPiece {
     std::int32_t solid;
 };
 
+/// Integrals over a cell's walls of their velocity: of each solid there, by its twist.
+template <int D>
+struct WallMoments {
+    std::vector<std::int32_t> solid;
+    std::vector<std::array<Twist<D>, D>> flux;                  ///< of u_e n_e, by e
+    std::vector<std::array<std::array<Twist<D>, D>, D>> moment; ///< of (x_i - c_i) u_e n_e, by e and i
+};
+
 /// An open stretch of an edge of the grid, 3D.
 struct EdgeStretch {
     std::int8_t axis;
@@ -128,6 +136,7 @@ private:
     // Rows.
     Row velocity(std::int32_t face) const;
     Row of_solid(std::int32_t solid, const Vec<D>& x, int component) const;
+    static void add_twist(Row& row, std::int32_t solid, const Twist<D>& factor);
     Row of_point(const BorderPoint<D>& point, int component);
     Row of_vertex(std::int32_t vertex, int component);
     Row of_stretch(std::int32_t stretch, int component);
@@ -153,6 +162,7 @@ private:
     bool add_whole_along(std::int32_t cell);
     void add_compact(std::int32_t face);
     void add_along(std::int32_t cell);
+    WallMoments<D> wall_moments(std::int32_t cell) const;
     void add_plain_along(std::int32_t cell);
     bool is_closed_border(std::int32_t cell) const;
     void find_gaps();

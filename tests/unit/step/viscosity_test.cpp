@@ -56,7 +56,7 @@ struct Moment {
     }
     ViscousStep<D> stage(double viscosity, double dt)
     {
-        return add_viscosity(*now.placed, mass, ViscousLoads<D>{}, viscosity, dt, now.flow);
+        return add_viscosity(*now.placed, mass, ViscousLoads<D>{}, viscosity, dt, 1e-11, now.flow);
     }
 };
 
