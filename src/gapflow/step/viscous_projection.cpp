@@ -2,42 +2,26 @@
 
 #include "gapflow/core/error.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
 
 namespace gapflow {
 namespace {
 
-constexpr double loosest = 1e-4;    // of each
-constexpr double least_body = 1e-3; // of a mode of the bodies' block, over the largest: D may take all of a light body's
-
-/// Positive, whatever light bodies lose to the volume that planes see of them: only a preconditioner.
-Eigen::MatrixXd positive(const Eigen::MatrixXd& block)
-{
-    if (block.rows() == 0)
-        return block;
-    const Eigen::VectorXd scale = block.diagonal().cwiseAbs().cwiseMax(1e-300).cwiseSqrt();
-    const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * block * scale.cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled);
-    const Eigen::VectorXd values = modes.eigenvalues().cwiseMax(least_body * modes.eigenvalues().cwiseAbs().maxCoeff());
-    return scale.asDiagonal() * modes.eigenvectors() * values.asDiagonal() * modes.eigenvectors().transpose() *
-           scale.asDiagonal();
-}
+constexpr double loosest = 1e-4; // of each
 
 } // namespace
 
 template <int D>
 ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns,
                                         const Eigen::SparseMatrix<double>& free, const Vector& diagonal,
-                                        const Eigen::MatrixXd& bodies, double tolerance)
+                                        const Eigen::SparseMatrix<double>& bodies, double tolerance)
     : columns_(columns), diagonal_(diagonal), tolerance_(tolerance),
       traces_(columns, free, diagonal.tail(diagonal.size() - columns.edges())),
       coupling_(std::make_unique<Coupling<D>>(at.coupling))
 {
     const Grid<D>& grid = *at.coupling.grid;
-    const Eigen::MatrixXd block = positive(bodies);
-    bodies_.compute(block);
+    if (bodies.rows() > 0 && !bodies_.compute(bodies))
+        throw ComputationError("the bodies' block of the viscous system is not positive definite");
     Coupling<D>& coupling = *coupling_;
     CoupledSystem<D>& system = coupling.system;
     coupling.gauge_cells.clear();
@@ -83,7 +67,7 @@ ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumn
     for (const auto& entry : coupling.node_flux)
         if (const int b = coupling.free_body[entry.body]; b >= 0)
             system.node_flux.push_back({entry.row, b, admitted(entry.body, entry.flux)});
-    system.mass = block.sparseView();
+    system.mass = bodies;
     system.contact.resize(0, system.mass.rows());
     system.contact_resistance.resize(0);
     system.response = BodyResponse(system.mass, system.contact, system.contact_resistance);

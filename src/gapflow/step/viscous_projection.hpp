@@ -2,6 +2,7 @@
 // system for edges, and the bodies' own block; traces follow. The multipliers are pressures of a coupled system with the conductances that this leaves.
 #pragma once
 
+#include "gapflow/core/sparse_cholesky.hpp"
 #include "gapflow/solver/solver.hpp"
 #include "gapflow/step/viscous_traces.hpp"
 
@@ -17,7 +18,7 @@ public:
     /// `diagonal`: of edges and traces; `bodies`: the block of the free bodies' admissible twists; `free`: columns of the unknowns.
     /// `tolerance`: of the outflow that projections leave, over the largest that a residual has had.
     ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free,
-                      const Vector& diagonal, const Eigen::MatrixXd& bodies, double tolerance);
+                      const Vector& diagonal, const Eigen::SparseMatrix<double>& bodies, double tolerance);
 
     /// z, and takes the pressure's part out of the residual of edges, traces and free twists. Returns the pressure. `largest`: outflow of the residuals so far, of
     /// which the projection's is a part.
@@ -30,7 +31,7 @@ private:
     Vector diagonal_;
     double tolerance_;
     ViscousTraces<D> traces_;
-    Eigen::LDLT<Eigen::MatrixXd> bodies_;
+    SparseCholesky bodies_;
     typename ViscousColumns<D>::Rows outflow_, held_; ///< rows x unknowns, and transposed
     std::unique_ptr<Coupling<D>> coupling_;
     std::unique_ptr<CoupledSolver<D>> solver_;

@@ -4,6 +4,8 @@
 #include "gapflow/core/sort_unique.hpp"
 #include "gapflow/step/viscous_projection.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,6 +18,22 @@ constexpr double penalty = 1e4;          // over what the row's own unknowns res
 constexpr double solve_accuracy = 1e-13; // of the square root of the energy
 constexpr double round_off = 1e-9;       // of the same, where corrections no longer become smaller
 constexpr int most_corrections = 60;
+constexpr double least_mass =
+    1e-3; // of a mode of a body's own mass less what planes see of it, over the system's diagonal: D may take all of a light body's
+
+/// The nearest matrix without modes of less than `least_mass`, in units in which the system's diagonal is 1.
+template <int D>
+TwistMatrix<D> positive(const TwistMatrix<D>& block, const Twist<D>& diagonal)
+{
+    const Twist<D> scale = diagonal.cwiseMax(1e-300).cwiseSqrt();
+    const TwistMatrix<D> scaled = scale.cwiseInverse().asDiagonal() * block * scale.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<TwistMatrix<D>> modes(scaled);
+    if (modes.eigenvalues()[0] >= least_mass)
+        return block;
+    const Twist<D> values = modes.eigenvalues().cwiseMax(least_mass);
+    return scale.asDiagonal() * modes.eigenvectors() * values.asDiagonal() * modes.eigenvectors().transpose() *
+           scale.asDiagonal();
+}
 
 [[noreturn]] void fail(int iterations)
 {
@@ -51,7 +69,7 @@ ViscousSolve<D>::ViscousSolve(const Placed<D>& at, const ViscousColumns<D>& colu
     if (method == ViscousMethod::direct)
         set_up_direct();
     else
-        set_up_projected(at);
+        set_up_projected(at, mass);
 }
 
 template <int D>
@@ -80,41 +98,69 @@ void ViscousSolve<D>::set_up_direct()
 }
 
 template <int D>
-Eigen::MatrixXd ViscousSolve<D>::body_block() const
+std::vector<Eigen::Triplet<double>> ViscousSolve<D>::friction_of_bodies() const
 {
     using Rows = typename ViscousColumns<D>::Rows;
     const int first = columns_.twist(0), n = static_cast<int>(free_.cols()) - first;
-    const Matrix bodies = free_.rightCols(n);
     const ViscousForm<D>& form = columns_.of_form();
-    const Rows of_form = columns_.form() * Rows(bodies);
-    Eigen::MatrixXd H = bodies.transpose() * mass_ * bodies;
-    H += Eigen::MatrixXd(hold_.bottomRightCorner(n, n));
-    Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+    const Rows of_form = columns_.form() * Rows(Matrix(free_.rightCols(n)));
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<double> row(n, 0.0);
     std::vector<int> used;
-    const auto add_squares = [&](const SquareSum& sum) {
-        for (std::int64_t k = 0; k < sum.rows(); ++k) {
+    for (const SquareSum* sum : {&form.squares, &form.rotation})
+        for (std::int64_t k = 0; k < sum->rows(); ++k) {
             used.clear();
-            for (std::int64_t t = sum.end[k]; t < sum.end[k + 1]; ++t)
-                if (sum.column[t] < form.columns()) // a derived one has hardly any of a free body
-                    for (typename Rows::InnerIterator entry(of_form, sum.column[t]); entry; ++entry) {
-                        row[entry.col()] += sum.factor[t] * entry.value();
+            for (std::int64_t t = sum->end[k]; t < sum->end[k + 1]; ++t)
+                if (sum->column[t] < form.columns()) // a derived one has hardly any of a free body
+                    for (typename Rows::InnerIterator entry(of_form, sum->column[t]); entry; ++entry) {
+                        row[entry.col()] += sum->factor[t] * entry.value();
                         used.push_back(static_cast<int>(entry.col()));
                     }
             sort_unique(used);
             for (const int i : used)
                 for (const int j : used)
-                    H(i, j) += factor_ * sum.weight[k] * row[i] * row[j];
+                    entries.emplace_back(i, j, factor_ * sum->weight[k] * row[i] * row[j]);
             for (const int i : used)
                 row[i] = 0;
         }
-    };
-    add_squares(form.squares);
-    add_squares(form.rotation);
+    return entries;
+}
+
+template <int D>
+auto ViscousSolve<D>::body_block(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass) const -> Matrix
+{
+    constexpr int T = twist_size<D>;
+    const Coupling<D>& coupling = at.coupling;
+    const auto admitted = [&](int s) -> const TwistMatrix<D>& { return coupling.solids[s].admissible; };
+    std::vector<Eigen::Triplet<double>> entries = friction_of_bodies();
+    Vector diagonal = Vector::Zero(free_.cols() - columns_.twist(0));
+    for (const auto& entry : entries)
+        if (entry.row() == entry.col())
+            diagonal[entry.row()] += entry.value();
+    for (const NormalInertia<D>& gap : coupling.normal_inertia)
+        for (const auto& [a, row_a] : {std::pair(gap.master, gap.row_master), std::pair(gap.other, gap.row_other)})
+            for (const auto& [b, row_b] : {std::pair(gap.master, gap.row_master), std::pair(gap.other, gap.row_other)})
+                if (const int i = coupling.free_body[a], j = coupling.free_body[b]; i >= 0 && j >= 0) {
+                    const TwistMatrix<D> pair =
+                        gap.mass * Twist<D>(admitted(a) * row_a) * Twist<D>(admitted(b) * row_b).transpose();
+                    for (int k = 0; k < T * T; ++k)
+                        entries.emplace_back(T * i + k / T, T * j + k % T, pair(k / T, k % T));
+                }
+    for (std::size_t s = 0; s < coupling.solids.size(); ++s)
+        if (const int b = coupling.free_body[s]; b >= 0) {
+            const TwistMatrix<D> own = admitted(s) * (coupling.seen_mass[s] + mass[s]) * admitted(s) +
+                                       TwistMatrix<D>(hold_.block(columns_.twist(0) + T * b, columns_.twist(0) + T * b, T, T)),
+                                 block = positive<D>(own, own.diagonal().cwiseAbs() + diagonal.template segment<T>(T * b));
+            for (int k = 0; k < T * T; ++k)
+                entries.emplace_back(T * b + k / T, T * b + k % T, block(k / T, k % T));
+        }
+    Matrix H(diagonal.size(), diagonal.size());
+    H.setFromTriplets(entries.begin(), entries.end());
     return H;
 }
 
 template <int D>
-void ViscousSolve<D>::set_up_projected(const Placed<D>& at)
+void ViscousSolve<D>::set_up_projected(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass)
 {
     Vector diagonal = factor_ * columns_.diagonal().head(columns_.twist(0));
     diagonal.head(columns_.edges()).array() += 1;
@@ -122,9 +168,9 @@ void ViscousSolve<D>::set_up_projected(const Placed<D>& at)
     const Rows form = columns_.form() * Rows(free_);
     const Eigen::Index n = free_.cols() - columns_.twist(0);
     const Matrix motions = free_.rightCols(n);
-    projected_ = std::make_unique<Projected>(
-        Projected{ViscousProjection<D>(at, columns_, free_, diagonal, body_block(), tolerance_), form, Rows(form.transpose()),
-                  Matrix(Matrix(motions.transpose()) * mass_ * motions) + Matrix(hold_.bottomRightCorner(n, n))});
+    projected_ = std::make_unique<Projected>(Projected{
+        ViscousProjection<D>(at, columns_, free_, diagonal, body_block(at, mass), tolerance_), form, Rows(form.transpose()),
+        Matrix(Matrix(motions.transpose()) * mass_ * motions) + Matrix(hold_.bottomRightCorner(n, n))});
 }
 
 /// Own masses, D, what gaps add; edges have the energy 1/2 n^2.

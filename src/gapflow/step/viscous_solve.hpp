@@ -54,13 +54,15 @@ private:
     void find_mass(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass);
     void find_free(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass);
     void set_up_direct();
-    void set_up_projected(const Placed<D>& at);
+    void set_up_projected(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass);
     Stage solve_direct(const Vector& base, const Vector& load) const;
     Stage solve_projected(const Vector& base, const Vector& load, const Stage* like) const;
     /// The square root of twice the energy that a change has, with its dissipation.
     double size(const Vector& change) const;
-    /// Of the system's diagonal blocks of the free bodies, in the unknowns `free_` maps.
-    Eigen::MatrixXd body_block() const;
+    /// The system's block of the free bodies, in the unknowns `free_` maps; where bodies lose more of their mass than they have to the volume that planes see of
+    /// them, with the least positive mass: only for preconditioners.
+    Matrix body_block(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass) const;
+    std::vector<Eigen::Triplet<double>> friction_of_bodies() const;
 
     const ViscousColumns<D>& columns_;
     double factor_, tolerance_;

@@ -1,4 +1,5 @@
 // Faces in space: polygons, with traces on the open stretches of their edges and at their vertices.
+#include "gapflow/core/sort_unique.hpp"
 #include "gapflow/viscous/form_builder.hpp"
 #include "gapflow/viscous/plane_element.hpp"
 
@@ -9,6 +10,8 @@
 
 namespace gapflow {
 namespace {
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Area, positive where the polygon runs counterclockwise seen from the plane's high side, and centroid in the plane's axes.
 struct Flat {
@@ -291,25 +294,33 @@ void FormBuilder<3>::add_face(std::int32_t number)
         values.push_back(to);
     }
     values.push_back(velocity(number));
+    std::vector<std::int32_t> columns;
     for (const Row& value : values)
         for (const Term& term : value.terms())
-            if (term.column >= form_.velocities())
-                trace_face_.emplace_back(term.column, number);
+            columns.push_back(term.column);
+    sort_unique(columns);
+    for (const std::int32_t column : columns)
+        if (column >= form_.velocities())
+            trace_face_.emplace_back(column, number);
+    RowMatrix by_columns = RowMatrix::Zero(static_cast<Eigen::Index>(values.size()), static_cast<Eigen::Index>(columns.size()));
+    for (std::size_t k = 0; k < values.size(); ++k)
+        for (const Term& term : values[k].terms())
+            by_columns(static_cast<Eigen::Index>(k),
+                       std::lower_bound(columns.begin(), columns.end(), term.column) - columns.begin()) += term.factor;
     const PlaneElement element = plane_element(sides);
-    const auto combined = [&](const auto& factors) {
-        Row row;
-        for (std::size_t k = 0; k < values.size(); ++k)
-            if (factors[static_cast<Eigen::Index>(k)] != 0)
-                row.add(values[k], factors[static_cast<Eigen::Index>(k)]);
-        return row;
+    const RowMatrix rows = element.rows * by_columns, moments = element.moment * by_columns;
+    const auto row_of = [&](const RowMatrix& matrix, Eigen::Index k) {
+        return std::span<const double>(matrix.row(k).data(), columns.size());
     };
     const std::int64_t first = form_.squares.rows();
-    for (int k = 0; k < element.rows.rows(); ++k)
-        form_.squares.add((1 - face.gap) * face.length * element.weight[k], combined(element.rows.row(k)));
+    for (Eigen::Index k = 0; k < rows.rows(); ++k)
+        form_.squares.add((1 - face.gap) * face.length * element.weight[k], columns, row_of(rows, k));
     form_.elements.push_back({number, first, form_.squares.rows()});
     for (int k = 0; k < 2; ++k) {
-        Row moment = combined(element.moment.row(k));
-        moment.merge();
+        Row moment;
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            if (moments(k, static_cast<Eigen::Index>(c)) != 0)
+                moment.add(columns[c], moments(k, static_cast<Eigen::Index>(c)));
         Row& of_face = moment_[number][(face.axis + 1 + k) % 3];
         if (!moment.empty())
             of_face.add(derive(std::move(moment)), 1); // both cells' rows are short by it

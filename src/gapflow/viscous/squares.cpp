@@ -41,6 +41,22 @@ void SquareSum::add(double row_weight, std::initializer_list<Term> terms)
     end.push_back(static_cast<std::int64_t>(column.size()));
 }
 
+void SquareSum::add(double row_weight, std::span<const std::int32_t> columns, std::span<const double> factors)
+{
+    if (row_weight == 0)
+        return;
+    const std::size_t before = column.size();
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        if (factors[k] != 0) {
+            column.push_back(columns[k]);
+            factor.push_back(factors[k]);
+        }
+    if (column.size() == before)
+        return;
+    weight.push_back(row_weight);
+    end.push_back(static_cast<std::int64_t>(column.size()));
+}
+
 void SquareSum::add_product(std::span<const double> x, std::span<double> y, std::int64_t first, std::int64_t last) const
 {
     for (std::int64_t k = first; k < last; ++k) {

@@ -45,6 +45,8 @@ struct SquareSum {
     void add(double weight, Row row);
     /// A row of columns that differ.
     void add(double weight, std::initializer_list<Term> terms);
+    /// The same of columns with their factors, those of 0 left out.
+    void add(double weight, std::span<const std::int32_t> columns, std::span<const double> factors);
     /// y += sum w r^T (r x), the gradient of E.
     void add_product(std::span<const double> x, std::span<double> y) const { add_product(x, y, 0, rows()); }
     /// The same of the rows from `first` until `last`.
