@@ -57,6 +57,33 @@ void put_sides_into_planes(const GridPlanes<D>& planes, PlanesKind<D>& kind)
     }
 }
 
+/// Where a facet lies in a plane of the grid, the solid covers it, as sides of boxes do: FacetCut sees a plane infinitesimally above its place, so facets with the solid
+/// below them go up by one unit. Otherwise a layer of no thickness would be fluid that belongs to the gaps beside it.
+template <int D>
+void cover_planes(const GridPlanes<D>& planes, bool inverse, FacetKind<D>& kind)
+{
+    const std::vector<Vec<D>> at = kind.vertices;
+    for (const std::array<int, D>& facet : kind.surface->elements)
+        for (int axis = 0; axis < D; ++axis) {
+            const double place = at[facet[0]][axis];
+            if (std::any_of(facet.begin(), facet.end(), [&](int v) { return at[v][axis] != place; }) ||
+                plane_beside<D>(planes, axis, place) != place)
+                continue;
+            const Vec<D> way = at[facet[1]] - at[facet[0]];
+            double out; // positive where what the surface encloses is below
+            if constexpr (D == 2)
+                out = axis == 0 ? way[1] : -way[0];
+            else {
+                const int u = (axis + 1) % D, v = (axis + 2) % D;
+                const Vec<D> other = at[facet[2]] - at[facet[0]];
+                out = way[u] * other[v] - way[v] * other[u];
+            }
+            if ((out > 0) != inverse)
+                for (const int vertex : facet)
+                    kind.vertices[vertex][axis] = place + place_unit;
+        }
+}
+
 } // namespace
 
 template <int D>
@@ -143,6 +170,7 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
                 placed.corners = corners_of(kind.vertices, kind.surface->elements, *kind.links);
             else
                 placed.sharp = sharp_solid(kind, planes);
+            cover_planes(planes, placed.inverse, kind);
             placed.kind = std::move(kind);
         }
         result.push_back(std::move(placed));

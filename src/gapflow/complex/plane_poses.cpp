@@ -39,6 +39,28 @@ Rotation<3> rotation_from(const Mat<3>& matrix)
     return Rotation<3>(matrix).normalized();
 }
 
+/// The planes of flat sides, or of all facets.
+template <int D>
+std::vector<Plane<D>> sides_of(const Shape<D>& shape)
+{
+    std::vector<Plane<D>> sides = shape.planes();
+    if (!sides.empty() || shape.sphere_radius() || shape.round_bar())
+        return sides;
+    const SurfaceMesh<D> mesh = shape.display_mesh(0);
+    for (const std::array<int, D>& facet : mesh.elements) {
+        const Vec<D>& x = mesh.vertices[facet[0]];
+        const Vec<D> way = mesh.vertices[facet[1]] - x;
+        Vec<D> normal;
+        if constexpr (D == 2)
+            normal = Vec<2>(way[1], -way[0]);
+        else
+            normal = way.cross(mesh.vertices[facet[2]] - x);
+        if (const double length = normal.norm(); length > 0)
+            sides.push_back({normal / length, normal.dot(x) / length});
+    }
+    return sides;
+}
+
 /// Turns the sides that are nearly parallel to planes.
 template <int D>
 void turn(const std::vector<Plane<D>>& sides, double reach, PlacedShape<D>& shape)
@@ -96,8 +118,10 @@ void put_into_planes(const Grid<D>& grid, std::vector<Solid<D>>& solids)
 {
     const GridPlanes<D> planes(grid);
     for (Solid<D>& solid : solids) {
-        const auto sides = solid.shape.shape().planes();
-        if (solid.wall || sides.size() < 2)
+        if (solid.wall)
+            continue;
+        const std::vector<Plane<D>> sides = sides_of(solid.shape.shape());
+        if (sides.size() < 2)
             continue;
         const double reach = bounding_radius(solid.shape.shape().bounds()) / planes.dx;
         turn<D>(sides, reach, solid.shape);

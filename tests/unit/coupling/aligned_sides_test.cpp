@@ -67,5 +67,42 @@ TEST(AlignedSides, HaveTheAddedMassOfThePlaneToRoundOff)
         EXPECT_LT(mass_difference(mass_of_turned(32, 32, degrees), M), 1e-7) << degrees;
 }
 
+// A facet in a plane of the grid is covered as a box's side is; a layer of no thickness beside it would be fluid of the gap. In the plane and in space.
+template <int D>
+Eigen::MatrixXd mass_of_facets(bool facets, double off)
+{
+    const Grid<D> grid = unit_grid<D>(16);
+    const double dx = grid.dx();
+    Scene<D> scene(grid);
+    for (const int side : {1, -1}) {
+        Vec<D> x = Vec<D>::Constant(8), size = Vec<D>::Constant(4);
+        x[0] += off;
+        x[1] = 8.3 + side * 2.005;
+        std::unique_ptr<Shape<D>> box = make_box<D>(Vec<D>(dx * size));
+        scene.add("box", facets ? make_mesh<D>(box->display_mesh(0), "box") : std::move(box), pose<D>(Vec<D>(dx * x)));
+        scene.solids.back().motion = Motion::free;
+    }
+    put_into_planes(grid, scene.solids);
+    const Complex<D> complex = build_complex<D>(grid, scene.solids);
+    const Inertia<D> inertia = find_inertia<D>(grid, complex, find_gap_arms<D>(grid, scene.solids, complex),
+                                               find_mouth_arms<D>(grid, scene.solids, complex));
+    const std::vector<TwistMatrix<D>> mass(scene.solids.size(), TwistMatrix<D>::Identity());
+    return direct_added_mass(couple_parts<D>(grid, scene.solids, mass, 1.0, complex, inertia));
+}
+
+template <int D>
+void compare_facets_with_boxes()
+{
+    const Eigen::MatrixXd boxes = mass_of_facets<D>(false, 0);
+    for (const double off : {0.0, 1e-10, -3e-10, 2e-9})
+        EXPECT_LT(mass_difference(mass_of_facets<D>(true, off), boxes), 1e-6) << D << ", " << off;
+}
+
+TEST(AlignedSides, OfFacetsAreThoseOfBoxes)
+{
+    compare_facets_with_boxes<2>();
+    compare_facets_with_boxes<3>();
+}
+
 } // namespace
 } // namespace gapflow::testing
