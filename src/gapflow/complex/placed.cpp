@@ -57,6 +57,27 @@ void put_sides_into_planes(const GridPlanes<D>& planes, PlanesKind<D>& kind)
     }
 }
 
+/// The same of flat ends.
+template <int D>
+void put_ends_into_planes(const GridPlanes<D>& planes, RoundKind<D>& kind)
+{
+    int along = 0;
+    kind.axis.cwiseAbs().maxCoeff(&along);
+    const double reach = std::hypot(kind.half, kind.radius);
+    for (int axis = 0; axis < D; ++axis)
+        if (axis != along && !(std::abs(kind.axis[axis]) * reach < in_plane))
+            return;
+    kind.axis = (kind.axis[along] > 0 ? 1 : -1) * unit<D>(along);
+    const double at = kind.centre[along];
+    const auto low = plane_beside<D>(planes, along, at - kind.half), high = plane_beside<D>(planes, along, at + kind.half);
+    if (low && high)
+        kind.centre[along] = rounded(0.5 * (*low + *high));
+    if (high)
+        kind.half = *high - kind.centre[along];
+    else if (low)
+        kind.half = kind.centre[along] - *low;
+}
+
 /// Where a facet lies in a plane of the grid, the solid covers it, as sides of boxes do: FacetCut sees a plane infinitesimally above its place, so facets with the solid
 /// below them go up by one unit. Otherwise a layer of no thickness would be fluid that belongs to the gaps beside it.
 template <int D>
@@ -126,8 +147,10 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
         if (const auto radius = shape.sphere_radius())
             placed.kind = BallKind<D>{centre, *radius / grid.dx()};
         else if (const auto bar = shape.round_bar()) {
-            const RoundKind<D> kind{centre, Vec<D>(solid.shape.rotation().col(0)), bar->radius / grid.dx(),
-                                    bar->half / grid.dx(), bar->flat};
+            RoundKind<D> kind{centre, Vec<D>(solid.shape.rotation().col(0)), bar->radius / grid.dx(), bar->half / grid.dx(),
+                              bar->flat};
+            if (bar->flat)
+                put_ends_into_planes(planes, kind);
             placed.kind = kind;
             if constexpr (D == 3)
                 if (bar->flat && !placed.inverse)

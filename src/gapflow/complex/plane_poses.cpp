@@ -39,12 +39,14 @@ Rotation<3> rotation_from(const Mat<3>& matrix)
     return Rotation<3>(matrix).normalized();
 }
 
-/// The planes of flat sides, or of all facets.
+/// The planes of flat sides and ends, or of all facets.
 template <int D>
 std::vector<Plane<D>> sides_of(const Shape<D>& shape)
 {
+    if (const auto bar = shape.round_bar())
+        return bar->flat ? std::vector<Plane<D>>{{-unit<D>(0), bar->half}, {unit<D>(0), bar->half}} : std::vector<Plane<D>>{};
     std::vector<Plane<D>> sides = shape.planes();
-    if (!sides.empty() || shape.sphere_radius() || shape.round_bar())
+    if (!sides.empty() || shape.sphere_radius())
         return sides;
     const SurfaceMesh<D> mesh = shape.display_mesh(0);
     for (const std::array<int, D>& facet : mesh.elements) {

@@ -18,7 +18,7 @@ inline constexpr double in_plane = 4e-9;
 template <int D>
 std::optional<double> plane_beside(const GridPlanes<D>& planes, int axis, double at);
 
-/// Boxes, polygons and meshes with sides nearer to planes of the grid than in_plane, parallel to them as far, are turned and shifted into these, with their reference points.
+/// Boxes, polygons, meshes and cylinders with sides nearer to planes of the grid than in_plane, parallel to them as far, are turned and shifted into these, with their reference points.
 /// So all that asks for a solid's surface finds it where the complex has it (placed.hpp), and what lies in a plane has no corner on either side of it.
 template <int D>
 void put_into_planes(const Grid<D>& grid, std::vector<Solid<D>>& solids);
