@@ -12,15 +12,23 @@ double speed_through(const Grid<D>& grid, const FaceField<D>& flux, int axis, co
     return flux(axis, f) / grid.relative_area(axis, f);
 }
 
+/// Whether fluid that leaves keeps its vorticity.
+template <int D>
+bool is_exit(const Grid<D>& grid, int axis, int end, const Vec<D>& grid_velocity)
+{
+    return grid.side(axis, end) == SideKind::open ||
+           (is_open(grid.side(axis, end)) && (end ? -1 : 1) * grid_velocity[axis] > 0);
+}
+
 } // namespace
 
 // As around any edge of the grid (vorticity.cpp), with the one face along the side that there is: the velocity along it has no gradient across the side.
 template <int D>
-void turn_in_exits(const Grid<D>& grid, const FaceField<D>& flux, double dt, FaceField<D>& impulse)
+void turn_in_exits(const Grid<D>& grid, const FaceField<D>& flux, const Vec<D>& grid_velocity, double dt, FaceField<D>& impulse)
 {
     for (int side = 0; side < 2 * D; ++side) {
         const int a = side / 2, end = side % 2;
-        if (grid.side(a, end) != SideKind::open)
+        if (!is_exit(grid, a, end, grid_velocity))
             continue;
         for_each_face_of_side(grid, a, end, [&](const Index<D>& high) {
             for (int b = 0; b < D; ++b) {
@@ -45,7 +53,8 @@ void turn_in_exits(const Grid<D>& grid, const FaceField<D>& flux, double dt, Fac
 }
 
 template <int D>
-void add_heads(const Grid<D>& grid, const FaceField<D>& flux, const Vec<D>& beyond, double dt, FaceField<D>& impulse)
+void add_heads(const Grid<D>& grid, const FaceField<D>& flux, const Vec<D>& beyond, const Vec<D>& grid_velocity, double dt,
+               FaceField<D>& impulse)
 {
     for (int side = 0; side < 2 * D; ++side) {
         const int axis = side / 2, end = side % 2;
@@ -53,7 +62,7 @@ void add_heads(const Grid<D>& grid, const FaceField<D>& flux, const Vec<D>& beyo
             continue;
         for_each_face_of_side(grid, axis, end, [&](const Index<D>& f) {
             const double u = speed_through(grid, flux, axis, f), outwards = end ? u : -u;
-            const bool leaves = outwards > 0 && grid.side(axis, end) == SideKind::open;
+            const bool leaves = outwards > 0 && is_exit(grid, axis, end, grid_velocity);
             const double square = beyond.squaredNorm() + (leaves ? u * u - beyond[axis] * beyond[axis] : 0.0);
             impulse(axis, f) -= (end ? 0.5 : -0.5) * dt * square / face_length(grid, axis, f);
         });
@@ -61,8 +70,8 @@ void add_heads(const Grid<D>& grid, const FaceField<D>& flux, const Vec<D>& beyo
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template void turn_in_exits<D>(const Grid<D>&, const FaceField<D>&, double, FaceField<D>&);                                \
-    template void add_heads<D>(const Grid<D>&, const FaceField<D>&, const Vec<D>&, double, FaceField<D>&);
+    template void turn_in_exits<D>(const Grid<D>&, const FaceField<D>&, const Vec<D>&, double, FaceField<D>&);                 \
+    template void add_heads<D>(const Grid<D>&, const FaceField<D>&, const Vec<D>&, const Vec<D>&, double, FaceField<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE
