@@ -28,17 +28,22 @@ void turn_in_exits(const Grid<D>& grid, const FaceField<D>& flux, const Vec<D>& 
 {
     for (int side = 0; side < 2 * D; ++side) {
         const int a = side / 2, end = side % 2;
-        if (!is_exit(grid, a, end, grid_velocity))
+        const int place = end * grid.cells()[a];
+        if (!is_exit(grid, a, end, grid_velocity) || (end ? grid.high()[a] : grid.low()[a]) != place)
             continue;
-        for_each_face_of_side(grid, a, end, [&](const Index<D>& high) {
-            for (int b = 0; b < D; ++b) {
-                const Index<D> low = grid.wrapped(Index<D>(high - step<D>(b)));
-                if (b == a || (!grid.periodic(b) && high[b] == 0))
-                    continue;
-                const Index<D> along = end ? Index<D>(high - step<D>(a)) : high;
+        for (int b = 0; b < D; ++b) {
+            if (b == a)
+                continue;
+            Index<D> first = grid.low(), last = grid.high() + step<D>(b); // the edges beside this rank's faces
+            first[a] = place;
+            last[a] = place + 1;
+            for_each_index<D>(first, last, [&](const Index<D>& high) {
+                if (!grid.periodic(b) && (high[b] == 0 || high[b] == grid.cells()[b]))
+                    return;
+                const Index<D> low = high - step<D>(b), along = end ? Index<D>(high - step<D>(a)) : high;
                 const double u = speed_through(grid, flux, a, high), v = speed_through(grid, flux, a, low);
                 if (!((end ? 1 : -1) * (u + v) > 0))
-                    continue;
+                    return;
                 double length = 1; // of the edge over that in the core
                 for (int axis = 0; axis < D; ++axis)
                     length *= axis == a || axis == b ? 1.0 : grid.width(axis, high[axis]);
@@ -47,8 +52,8 @@ void turn_in_exits(const Grid<D>& grid, const FaceField<D>& flux, const Vec<D>& 
                     impulse(a, across) += factor * grid.dx() / face_length(grid, a, across) * flux(b, along);
                     impulse(b, along) -= factor / grid.spread(b, along[b]) * flux(a, across);
                 }
-            }
-        });
+            });
+        }
     }
 }
 

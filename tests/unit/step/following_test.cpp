@@ -273,5 +273,32 @@ TEST(Following, BodiesAndVorticesKeepImpulseAndEnergyTogether)
     EXPECT_LT(impulse_error[1], 0.35 * impulse_error[0]);
 }
 
+// A disk leaves a vortex behind, which passes the side and is gone; where it stayed in the last cells, all of it would be left.
+TEST(Following, VorticityIsLeftBehind)
+{
+    for (const SideScene::Kind kind : {SideScene::Kind::far, SideScene::Kind::open}) {
+        std::array<double, 2> start{}, end{};
+        for (int vortex = 0; vortex < 2; ++vortex) {
+            Scene scene = box_of_fluid(2, 24, kind);
+            scene.follow = FollowScene{"first", {true, true, true}};
+            scene.bodies = {body("first", BodyScene::ShapeKind::ball, {0.713, 0.537, 0}, {1, 0, 0})};
+            scene.bodies[0].motion = BodyScene::Motion::prescribed;
+            scene.bodies[0].radius = 0.06;
+            PartsRun<2> run(scene, [&](const Vec<2>& x) {
+                const Vec<2> from(x[0] - 0.45, x[1] - 0.48);
+                const double speed = 4.0 * vortex * std::exp(-from.squaredNorm() / (0.12 * 0.12));
+                return Vec<2>(-speed * from[1], speed * from[0]);
+            });
+            start[vortex] = run.now.energy;
+            for (int k = 0; k < 40; ++k)
+                run.step(0.03);
+            end[vortex] = run.now.energy;
+        }
+        RecordProperty(kind == SideScene::Kind::far ? "far" : "open", std::to_string((end[1] - end[0]) / (start[1] - start[0])));
+        EXPECT_GT(start[1] - start[0], 1e-3);
+        EXPECT_LT(std::abs(end[1] - end[0]), 0.2 * (start[1] - start[0]));
+    }
+}
+
 } // namespace
 } // namespace gapflow
