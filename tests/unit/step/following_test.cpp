@@ -294,7 +294,8 @@ TEST(Following, VorticityIsLeftBehind)
                 run.step(0.03);
             end[vortex] = run.now.energy;
         }
-        RecordProperty(kind == SideScene::Kind::far ? "far" : "open", std::to_string((end[1] - end[0]) / (start[1] - start[0])));
+        RecordProperty(kind == SideScene::Kind::far ? "far" : "open",
+                       std::to_string((end[1] - end[0]) / (start[1] - start[0])));
         EXPECT_GT(start[1] - start[0], 1e-3);
         EXPECT_LT(std::abs(end[1] - end[0]), 0.2 * (start[1] - start[0]));
     }
