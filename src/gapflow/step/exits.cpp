@@ -68,7 +68,8 @@ void add_heads(const Grid<D>& grid, const FaceField<D>& flux, const Vec<D>& beyo
         for_each_face_of_side(grid, axis, end, [&](const Index<D>& f) {
             const double u = speed_through(grid, flux, axis, f), outwards = end ? u : -u;
             const bool leaves = outwards > 0 && is_exit(grid, axis, end, grid_velocity);
-            const double square = beyond.squaredNorm() + (leaves ? u * u - beyond[axis] * beyond[axis] : 0.0);
+            const double square = beyond.squaredNorm() - grid_velocity.squaredNorm() + // of fluid at rest none
+                                  (leaves ? u * u - beyond[axis] * beyond[axis] : 0.0);
             impulse(axis, f) -= (end ? 0.5 : -0.5) * dt * square / face_length(grid, axis, f);
         });
     }
