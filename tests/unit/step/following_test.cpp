@@ -179,9 +179,8 @@ TEST(Following, ViscousFluidIsTheSameSeenFromTheBody)
         EXPECT_LT(difference(), 1e-6) << follows.time();
         const UnknownVector<2> p = follows.reduced_pressure(), q = stays.reduced_pressure();
         double of_pressure = 0;
-        for_each_index<2>(follows.grid().low(), follows.grid().high(), [&](const Index<2>& c) {
-            of_pressure = std::max(of_pressure, std::abs(p.cells(c) - q.cells(c)));
-        });
+        for_each_index<2>(follows.grid().low(), follows.grid().high(),
+                          [&](const Index<2>& c) { of_pressure = std::max(of_pressure, std::abs(p.cells(c) - q.cells(c))); });
         EXPECT_LT(of_pressure, 1e-5) << follows.time();
         EXPECT_LT((follows.fluid_wrenches()[1] - stays.fluid_wrenches()[1]).norm(), 1e-6) << follows.time();
     }
