@@ -200,8 +200,6 @@ void check_viscosity_of_parts(const Values& v, const Scene& scene)
     const auto refuse = [&](const std::string& key, const std::string& what, const std::string& remedy) {
         v.refuse(key, "this version runs gap.model = \"parts\" with viscosity without " + what, remedy);
     };
-    if (scene.follow)
-        refuse("domain.follow", "a grid that follows", "leave it out, or write gap.model = \"film\"");
     const auto gaps = gaps_of(scene);
     if (scene.vapour_pressure)
         refuse("fluid.vapour_pressure", "cavitation", "leave it out, or write gap.model = \"film\"");

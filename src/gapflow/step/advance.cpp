@@ -93,14 +93,15 @@ Twist<D> along_grid(const FollowedBody<D>& followed, const Twist<D>& twist)
 
 /// Impulses of the free bodies that do the work which the trapezium of the forces, `mean`, misses of 1/2 V (N' - N) V': in each group of bodies in proportion to their own
 /// momenta M V_m, V_m the mean twist. Where bodies turn back within the step, so that their energy at V_m is small, no larger than at half their speeds.
-/// Where the grid goes with a body, `grid` its velocity, V_m is that over the grid, and this body takes the reactions. What goes over the grid with less
+/// Where the grid goes with a body, `grid` its velocity, V_m is that over the grid, and this body takes the reactions and does `work_of_grid`, the work of the
+/// vorticity under the grid. What goes over the grid with less
 /// energy than the solver's `tolerance` leaves of the whole is let alone. `impacts`: of contacts that change velocities, none if empty: they give back what the
 /// forces err in their directions, so that what is missing is told from their own work only where it is more than that.
 template <int D>
 std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_before, const Instant<D>& before,
                                        const std::vector<RigidBody<D>>& bodies, const Instant<D>& after,
                                        const std::vector<Twist<D>>& mean, const std::vector<Twist<D>>& impacts,
-                                       const Twist<D>& grid, double tolerance, double dt)
+                                       const Twist<D>& grid, double work_of_grid, double tolerance, double dt)
 {
     const Twist<D> stream = stream_twist<D>(before.stream), end_stream = stream_twist<D>(after.stream);
     EnergyChange change = energy_change(*before.placed, before.flow, *after.placed, after.flow,
@@ -136,7 +137,8 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
         if (!impacts.empty())
             of_impacts[group] += middle.dot(impacts[b]);
         if (leads)
-            change.work[group] -= lead.dot(mean_of_all);
+            change.work[group] +=
+                work_of_grid + 0.5 * dt * lead.template head<D>().dot(before.of_sides + after.of_sides) - lead.dot(mean_of_all);
         if (bodies[b].motion == Motion::free) {
             change.work[group] += 0.5 * V.dot((mass - mass_matrix(bodies_before[b])) * next);
             impulse[b] = mass * middle;
@@ -227,10 +229,10 @@ void add_outflow(const Coupling<D>& system, const UnknownVector<D>& outflow, con
 template <int D>
 StepForces<D> forces_of(const Instant<D>& old, const std::vector<RigidBody<D>>& before, const Instant<D>& now,
                         const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& impacts, const Twist<D>& grid,
-                        double tolerance, double dt)
+                        double work_of_grid, double tolerance, double dt)
 {
     StepForces<D> forces{trapezium<D>(old.force, now.force, dt), {}};
-    forces.missing = missing_impulses(before, old, bodies, now, forces.mean, impacts, grid, tolerance, dt);
+    forces.missing = missing_impulses(before, old, bodies, now, forces.mean, impacts, grid, work_of_grid, tolerance, dt);
     return forces;
 }
 
@@ -359,7 +361,8 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
     MeanFlow<D> mean_flow(model, old, step.dt);
     const std::vector<Twist<D>> none(old.force.size(), Twist<D>::Zero());
     StepForces<D> forces{trapezium<D>(old.force, old.force, step.dt), none};
-    TurnedRemainder<D> turned(old, *now.placed, solver_options(model.scene), to_vec<D>(model.scene.fluid_velocity), step.dt);
+    TurnedRemainder<D> turned(old, *now.placed, solver_options(model.scene), to_vec<D>(model.scene.fluid_velocity),
+                              model.grid_velocity, step.dt);
     const ContactSet<D> contacts = state.contacts;
     const Twist<D> grid = stream_twist<D>(model.grid_velocity);
     double last = std::numeric_limits<double>::infinity();
@@ -390,13 +393,14 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
             if (--left == 0)
                 break;
             forces.missing = timed("forces", [&] {
-                return missing_impulses(before, old, state.bodies, now, none, {}, grid, model.scene.tolerance, step.dt);
+                return missing_impulses(before, old, state.bodies, now, none, {}, grid, turned.work_of_grid(now),
+                                        model.scene.tolerance, step.dt);
             });
             continue;
         }
         StepForces<D> next = timed("forces", [&] {
             return forces_of(old, before, now, state.bodies, state.contacts.impact_impulses(old.force.size()), grid,
-                             model.scene.tolerance, step.dt);
+                             turned.work_of_grid(now), model.scene.tolerance, step.dt);
         });
         const auto change = [&](std::size_t b) {
             return Twist<D>(next.mean[b] + next.missing[b] - forces.mean[b] - forces.missing[b]);
@@ -438,8 +442,10 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
     } else if (!old.kept.volume.empty())
         now.kept.volume.assign(count_sites(now.placed->complex), 0.0);
     if (!now.flow.remainder.empty()) {
-        if (model.viscous())
+        if (model.viscous()) {
+            take_gauge_of_velocity(*now.placed, now.flow);
             fill_covered(*now.placed, now.flow.remainder.faces);
+        }
         timed("vorticity", [&] { renew_gauge(*now.placed, now.flow, solver_options(model.scene)); });
         timed("forces", [&] { find_forces(now); });
     }

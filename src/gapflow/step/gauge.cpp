@@ -73,15 +73,12 @@ void extend_into_solids(const Coupling<D>& coupling, const FaceField<D>& velocit
     }
 }
 
-} // namespace
-
+/// Of cells: the potentials lose these values, the remainder their gradient.
 template <int D>
-void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOptions& options)
+void shift_gauge(const Placed<D>& at, CellField<D> p, PotentialFlow<D>& flow)
 {
     const Coupling<D>& coupling = at.coupling;
     const Grid<D>& grid = *coupling.grid;
-    CellField<D> p =
-        flow_of_twists(at, std::vector<Twist<D>>(coupling.solids.size(), Twist<D>::Zero()), options, flow.remainder).p.cells;
     extend_into_solids(coupling, flow.remainder.faces, p);
     const std::vector<double> own = own_along_edges(at, flow.remainder);
     FluidVelocity<D> u{std::move(flow.remainder.faces), {}, {}, {}};
@@ -107,6 +104,45 @@ void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOption
     flow.p.nodes -= of_nodes;
 }
 
+} // namespace
+
+template <int D>
+void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOptions& options)
+{
+    const std::vector<Twist<D>> rest(at.coupling.solids.size(), Twist<D>::Zero());
+    shift_gauge(at, flow_of_twists(at, rest, options, flow.remainder).p.cells, flow);
+}
+
+template <int D>
+void take_gauge_of_velocity(const Placed<D>& at, PotentialFlow<D>& flow)
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    shift_gauge(at, flow.p.cells, flow);
+    FaceField<D>& u = flow.remainder.faces;
+    FaceField<D> sum(grid), weight(grid);
+    for (std::size_t e = 0; e < at.edges.edges.size(); ++e) {
+        const SparseEdge<D>& edge = at.edges.edges[e];
+        for (const auto& row : at.edges.rows_of(edge))
+            if (row.node >= 0)
+                flow.remainder.edges[e] += row.weight * flow.p.nodes[row.node] / at.coupling.density;
+        if (edge.piece < 0)
+            continue;
+        const FacePiece<D>& piece = at.complex.pieces[edge.piece];
+        const Index<D> f = at.complex.index.index(piece.face);
+        sum(piece.axis, f) += edge.conductance * flow.remainder.edges[e] / face_length(grid, piece.axis, f);
+        weight(piece.axis, f) += edge.conductance;
+    }
+    flow.p.nodes.setZero();
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+            if (!(at.coupling.system.conductance(axis, f) > 0) && weight(axis, f) > 0)
+                u(axis, f) = sum(axis, f) / weight(axis, f);
+        });
+    exchange(grid, u);
+}
+
+template void take_gauge_of_velocity<2>(const Placed<2>&, PotentialFlow<2>&);
+template void take_gauge_of_velocity<3>(const Placed<3>&, PotentialFlow<3>&);
 template void renew_gauge<2>(const Placed<2>&, PotentialFlow<2>&, const SolverOptions&);
 template void renew_gauge<3>(const Placed<3>&, PotentialFlow<3>&, const SolverOptions&);
 

@@ -10,4 +10,9 @@ namespace gapflow {
 template <int D>
 void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOptions& options);
 
+/// Takes the potential into the remainder, which is then the fluid's velocity: in slivers friction is large, and cancels the pressure's gradient. Faces of the grid
+/// without an own edge have the mean of their sparse ones. On one rank.
+template <int D>
+void take_gauge_of_velocity(const Placed<D>& at, PotentialFlow<D>& flow);
+
 } // namespace gapflow

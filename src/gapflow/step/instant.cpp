@@ -5,6 +5,7 @@
 #include "gapflow/step/inner_faces.hpp"
 #include "gapflow/step/own_edges.hpp"
 #include "gapflow/step/remainder.hpp"
+#include "gapflow/step/vorticity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,19 +114,67 @@ std::vector<GapArm<D>> arms_and_empty_faces(const Placed<D>& at)
     return arms;
 }
 
-/// A grid that goes with a body: where this and the grid are displaced, T changes as where all other solids are displaced the other way.
+/// A grid that goes with a body: where this and the grid are displaced, T changes as where all other solids and vorticity are displaced the other way.
 template <int D>
 void take_grid_along(Instant<D>& instant)
 {
     const auto& [body, axes] = instant.followed;
     for (int axis = 0; axis < D && body >= 0; ++axis) {
         const auto of_both = [&](const Displaced<D>& one) { return one.solid == body && one.component == axis; };
-        if (!axes[axis] || std::any_of(instant.displaced.begin(), instant.displaced.end(), of_both))
+        if (!axes[axis])
             continue;
-        double others = 0;
-        for (int s = 0; s < static_cast<int>(instant.force.size()); ++s)
-            others += s == body ? 0.0 : instant.force[s][axis];
-        instant.force[body][axis] = -others;
+        double& force = instant.force[body][axis];
+        if (std::none_of(instant.displaced.begin(), instant.displaced.end(), of_both)) {
+            double others = 0;
+            for (int s = 0; s < static_cast<int>(instant.force.size()); ++s)
+                others += s == body ? 0.0 : instant.force[s][axis];
+            force = -others;
+        }
+        if (instant.flow.remainder.empty())
+            continue;
+        const ForceOfGrid<D> more = force_of_grid(instant.placed->coupling, instant.flux, instant.flow.remainder.faces, axis);
+        force += more.of_remainder + more.of_sides;
+        instant.of_sides[axis] = more.of_sides;
+    }
+}
+
+/// The velocity of a grid that goes with its body.
+template <int D>
+Vec<D> velocity_of_grid(const Instant<D>& instant)
+{
+    Vec<D> velocity = Vec<D>::Zero();
+    for (int axis = 0; axis < D && instant.followed.body >= 0; ++axis)
+        if (instant.followed.axes[axis])
+            velocity[axis] = instant.flow.twists[instant.followed.body][axis] + instant.stream[axis];
+    return velocity;
+}
+
+/// What edges have beside their faces, `own`, stays with them where the grid moves: dR/dx has no part that is linear in it and in a uniform motion with the grid. That part,
+/// to be taken out.
+template <int D>
+void take_own_along(const Instant<D>& instant, const GapDerivatives<D>* gaps, const std::vector<double>& own,
+                    std::vector<Twist<D>>& force)
+{
+    const Placed<D>& at = *instant.placed;
+    const Grid<D>& grid = *at.coupling.grid;
+    const Vec<D> velocity = velocity_of_grid(instant);
+    if (own.empty() || velocity.isZero(0))
+        return;
+    const std::vector<Twist<D>> V(force.size(), stream_twist<D>(velocity));
+    const UnknownVector<D> rest{CellField<D>(grid), Eigen::VectorXd::Zero(at.coupling.system.nodes)};
+    FaceField<D> uniform(grid);
+    for (int axis = 0; axis < D; ++axis)
+        uniform[axis].fill(velocity[axis]);
+    for (const double sign : {-1.0, 1.0}) {
+        Remainder<D> remainder = remainder_of(at, uniform);
+        for (std::size_t e = 0; e < own.size(); ++e)
+            remainder.edges[e] += sign * own[e];
+        Circulation<D> circulation = in_cells(at, remainder);
+        circulation.covered.assign(force.size(), stream_twist<D>(Vec<D>(velocity / grid.dx())));
+        const std::vector<Twist<D>> of_both =
+            energy_derivative<D>(at.coupling, at.complex, at.derivatives, rest, V, gaps, at.pairs, {}, &circulation);
+        for (std::size_t s = 0; s < force.size(); ++s)
+            force[s] -= 0.5 * sign * of_both[s];
     }
 }
 
@@ -162,6 +211,7 @@ void find_forces(Instant<D>& instant)
     if (rotational) {
         instant.flux = face_fluxes(at, instant.flow);
         add_arms(at, instant.flow.remainder.faces, moving, instant.force);
+        take_own_along(instant, gaps, own_along_edges(at, instant.flow.remainder), instant.force);
     }
     const std::vector<Twist<D>> of_sides = forces_of_sides(at, instant.flow);
     for (std::size_t s = 0; s < V.size(); ++s)

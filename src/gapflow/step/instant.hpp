@@ -26,9 +26,11 @@ struct Instant {
     /// Rate of that impulse at constant impulses of the bodies themselves: dT/dx at fixed twists and, in 3D, omega x the angular impulse (the axes of
     /// twists do not turn with the body).
     std::vector<Twist<D>> force;
-    double energy = 0;               ///< T
-    FaceField<D> flux{};             ///< of volume through the faces of the grid (face_fluxes()), with circulation; else empty
-    FollowedBody<D> followed{};      ///< its force is that of T as a function of its place and, with it, the grid's
+    double energy = 0;          ///< T
+    FaceField<D> flux{};        ///< of volume through the faces of the grid (face_fluxes()), with circulation; else empty
+    FollowedBody<D> followed{}; ///< its force is that of T as a function of its place and, with it, the grid's
+    Vec<D> of_sides = Vec<D>::
+        Zero(); ///< its share by which the fluid's motion is not that of its place alone: by what sides bear, with circulation
     PartVoids kept{};                ///< voids with which the next step starts
     Friction<D> friction{};          ///< in the step that ended here
     UnknownVector<D> left_outflow{}; ///< net outflow of the rows in a step with voids; else empty

@@ -60,9 +60,6 @@ void require_given_velocity(const Model<D>& model)
     const Scene& scene = model.scene;
     if (!scene.parts)
         throw InputError(scene.file + ": gap.model: a velocity of the fluid at the start needs \"parts\"; write that");
-    if (scene.follow)
-        throw InputError(scene.file +
-                         ": domain.follow: a velocity of the fluid at the start needs a grid that stays; leave it out");
     if (model.driven())
         throw InputError(
             scene.file +

@@ -16,64 +16,6 @@ namespace {
 
 const double stage_share = 1 - std::sqrt(0.5); // gamma
 
-/// What nodes have beside the cells' pressure continued into them, from edge to edge. 0 where no edge leads to a cell.
-template <int D>
-Eigen::VectorXd beside_cells(const Placed<D>& at, const UnknownVector<D>& p)
-{
-    const Grid<D>& grid = *at.coupling.grid;
-    const auto nodes = p.nodes.size();
-    Eigen::VectorXd continued = p.nodes;
-    std::vector<char> known(nodes, false);
-    for (bool found = true; found;) {
-        Eigen::VectorXd sum = Eigen::VectorXd::Zero(nodes), weight = Eigen::VectorXd::Zero(nodes);
-        for (const SparseEdge<D>& edge : at.edges.edges)
-            for (const auto& to : at.edges.rows_of(edge))
-                for (const auto& from : at.edges.rows_of(edge)) {
-                    if (to.node < 0 || known[to.node] || (from.node >= 0 && !known[from.node]))
-                        continue;
-                    const double value = from.node >= 0 ? continued[from.node] : p.cells(grid.wrapped(from.cell)),
-                                 share = edge.conductance * std::abs(from.weight);
-                    sum[to.node] += share * value;
-                    weight[to.node] += share;
-                }
-        found = false;
-        for (Eigen::Index n = 0; n < nodes; ++n)
-            if (weight[n] > 0) {
-                continued[n] = sum[n] / weight[n];
-                known[n] = true;
-                found = true;
-            }
-    }
-    return p.nodes - continued;
-}
-
-/// Faces without an own edge that have sparse ones have their mean, with what the pressure in nodes has beside that of cells: in slivers friction is large, and both cancel.
-template <int D>
-void take_sparse(const Placed<D>& at, const PotentialFlow<D>& flow, FaceField<D>& velocity)
-{
-    const Grid<D>& grid = *at.coupling.grid;
-    const Eigen::VectorXd beside = beside_cells(at, flow.p);
-    FaceField<D> sum(grid), weight(grid);
-    for (std::size_t e = 0; e < at.edges.edges.size(); ++e) {
-        const SparseEdge<D>& edge = at.edges.edges[e];
-        if (edge.piece < 0)
-            continue;
-        const FacePiece<D>& piece = at.complex.pieces[edge.piece];
-        const Index<D> f = at.complex.index.index(piece.face);
-        double along = flow.remainder.edges[e];
-        for (const auto& row : at.edges.rows_of(edge))
-            if (row.node >= 0)
-                along += row.weight * beside[row.node] / at.coupling.density;
-        sum(piece.axis, f) += edge.conductance * along / face_length(grid, piece.axis, f);
-        weight(piece.axis, f) += edge.conductance;
-    }
-    for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-            if (!(at.coupling.system.conductance(axis, f) > 0) && weight(axis, f) > 0)
-                velocity(axis, f) = sum(axis, f) / weight(axis, f);
-        });
-}
-
 } // namespace
 
 template <int D>
@@ -317,7 +259,6 @@ void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const Visco
     for (long i = 0; i < flow.p.cells.size(); ++i)
         flow.p.cells.data()[i] -= by.p.cells.data()[i];
     flow.p.nodes -= by.p.nodes;
-    take_sparse(at, flow, w);
     exchange(grid, w);
     for (std::size_t s = 0; s < flow.twists.size(); ++s)
         flow.twists[s] += by.twists[s];

@@ -67,7 +67,39 @@ FaceField<D> turned(const Grid<D>& grid, const FaceField<D>& flux, const F& omeg
     return result;
 }
 
+template <int D>
+FaceField<D> flux_of_velocity(const Grid<D>& grid, const Vec<D>& velocity)
+{
+    FaceField<D> flux(grid);
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
+                          [&](const Index<D>& f) { flux(axis, f) = velocity[axis] * grid.relative_area(axis, f); });
+    exchange(grid, flux);
+    return flux;
+}
+
+template <int D>
+FaceField<D> velocity_of_flux(const Grid<D>& grid, FaceField<D> flux)
+{
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
+                          [&](const Index<D>& f) { flux(axis, f) /= grid.relative_area(axis, f); });
+    exchange(grid, flux);
+    return flux;
+}
+
 } // namespace
+
+// e x omega of the remainder is what it changes by where the grid goes along -e, but for a gradient; Q has no divergence. The derivative of the Routhian by w is -Q. Around a
+// fluid without bodies the force of all is that on the sides, and omega is the curl of Q: so with this curl the sum is what sides bear, wherever the fluid's is the same.
+template <int D>
+ForceOfGrid<D> force_of_grid(const Coupling<D>& coupling, const FaceField<D>& flux, const FaceField<D>& remainder, int axis)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const FaceField<D> along = flux_of_velocity<D>(grid, unit<D>(axis));
+    return {work_of_fluxes(coupling, flux, vortex_impulse(grid, along, remainder, 1.0)),
+            -work_of_fluxes(coupling, flux, vortex_impulse(grid, along, velocity_of_flux(grid, flux), 1.0))};
+}
 
 template <int D>
 FaceField<D> vortex_impulse(const Grid<D>& grid, const FaceField<D>& flux, const FaceField<D>& remainder, double dt)
@@ -114,8 +146,8 @@ template <int D>
 FaceField<D> TurnedRemainder<D>::turning(const FaceField<D>& flux, const FaceField<D>& remainder, double dt) const
 {
     FaceField<D> impulse = vortex_impulse(grid(), flux, remainder, dt);
-    if (there_.viscous)
-        turn_in_exits(grid(), flux, dt, impulse);
+    if (has_exits())
+        turn_in_exits(grid(), flux, grid_velocity_, dt, impulse);
     return impulse;
 }
 
@@ -123,19 +155,21 @@ FaceField<D> TurnedRemainder<D>::turning(const FaceField<D>& flux, const FaceFie
 template <int D>
 void TurnedRemainder<D>::find_heads(const Instant<D>* end)
 {
-    if (!there_.viscous)
+    if (!has_exits())
         return;
     heads_ = FaceField<D>(grid());
     for (const auto& [share, weight] : {std::pair(0.0, 1.0 / 6), std::pair(0.5, 2.0 / 3), std::pair(1.0, 1.0 / 6)})
-        add_heads(grid(), flux_at(end, share), beyond_, weight * dt_, heads_);
+        add_heads(grid(), flux_at(end, share), beyond_, grid_velocity_, weight * dt_, heads_);
 }
 
 /// Classical Runge-Kutta. Half-way, and at the end.
 template <int D>
-std::pair<FaceField<D>, FaceField<D>> TurnedRemainder<D>::sub_steps(const Instant<D>* end, int steps) const
+std::pair<FaceField<D>, FaceField<D>> TurnedRemainder<D>::sub_steps(const Instant<D>* end, int steps)
 {
     FaceField<D> w = old_.flow.remainder.faces, half;
     const double dt = dt_ / steps;
+    if (grid_moves())
+        exits_ = FaceField<D>(grid());
     for (int k = 0; k < steps; ++k) {
         if (2 * k == steps)
             half = w;
@@ -146,8 +180,11 @@ std::pair<FaceField<D>, FaceField<D>> TurnedRemainder<D>::sub_steps(const Instan
             FaceField<D> at = start;
             if (way > 0)
                 add(at, way, rate);
-            rate = turning(flux_at(end, (k + way) / steps), at, dt);
+            const FaceField<D> flux = flux_at(end, (k + way) / steps);
+            rate = turning(flux, at, dt);
             add(w, weight, rate);
+            if (grid_moves())
+                turn_in_exits(grid(), flux, grid_velocity_, weight * dt, exits_);
         }
     }
     return {std::move(half), std::move(w)};
@@ -200,6 +237,17 @@ double TurnedRemainder<D>::work(const Instant<D>& end) const
 }
 
 template <int D>
+double TurnedRemainder<D>::work_of_grid(const Instant<D>& end) const
+{
+    if (!grid_moves() || old_.flow.remainder.empty())
+        return 0;
+    FaceField<D> gain = end.flow.remainder.faces;
+    for (const FaceField<D>* without : {&old_.flow.remainder.faces, &heads_, &exits_})
+        add(gain, -1, *without);
+    return -work_of_fluxes(there_.coupling, flux_of_velocity<D>(grid(), grid_velocity_), gain);
+}
+
+template <int D>
 FaceField<D> TurnedRemainder<D>::flux_at(const Instant<D>* end, double share) const
 {
     FaceField<D> flux = old_.flux;
@@ -209,6 +257,8 @@ FaceField<D> TurnedRemainder<D>::flux_at(const Instant<D>* end, double share) co
                 flux[axis].data()[i] = (1 - share) * flux[axis].data()[i] + share * end->flux[axis].data()[i];
     if (curve_[0].size() > 0)
         add(flux, 4 * share * (1 - share), curve_);
+    if (grid_moves())
+        add(flux, -1, flux_of_velocity<D>(grid(), grid_velocity_));
     return flux;
 }
 
@@ -219,6 +269,8 @@ FaceField<D> TurnedRemainder<D>::mean_flux(const Instant<D>& end) const
     for (int axis = 0; axis < D; ++axis)
         for (long i = 0; i < flux[axis].size(); ++i)
             flux[axis].data()[i] = 0.5 * (flux[axis].data()[i] + end.flux[axis].data()[i]);
+    if (grid_moves())
+        add(flux, -1, flux_of_velocity<D>(grid(), grid_velocity_));
     return flux;
 }
 
@@ -248,6 +300,7 @@ void TurnedRemainder<D>::add(FaceField<D>& to, double factor, const FaceField<D>
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template FaceField<D> vortex_impulse<D>(const Grid<D>&, const FaceField<D>&, const FaceField<D>&, double);                 \
+    template ForceOfGrid<D> force_of_grid<D>(const Coupling<D>&, const FaceField<D>&, const FaceField<D>&, int);               \
     template class TurnedRemainder<D>;
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

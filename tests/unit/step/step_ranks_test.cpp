@@ -563,6 +563,13 @@ TEST(StepRanks, BodiesInPeriodicVortices)
     expect_one_run<2>(scene_of(still_plane + sides(2, "periodic"), in_vortex), 4, 1e-8, vortices);
 }
 
+// Which leave through its sides.
+TEST(StepRanks, AGridThatFollowsInVortices)
+{
+    for (const char* kind : {"far", "open"})
+        expect_one_run<2>(scene_of(still_plane + "follow = \"disk\"\n" + sides(2, kind), in_vortex), 3, 1e-8, vortices);
+}
+
 TEST(StepRanks, BodiesInAVortexInSpace)
 {
     expect_one_run<3>(scene_of(space, space_balls), 1, 1e-8, vortex_in_space);
