@@ -182,12 +182,14 @@ void check_voids_of_parts(const Values& v, const Scene& scene)
                  "this version runs gap.model = \"parts\" with dry contact or cavitation in fluid that only bodies set moving",
                  "leave it out, or leave out gap.contact and fluid.vapour_pressure, or write gap.model = \"film\"");
     };
+    if (scene.follow)
+        refuse("domain.follow");
+    if (scene.viscosity > 0)
+        return;
     if (scene.fluid_velocity != Triple{})
         refuse("fluid.velocity");
     if (scene.pressure_gradient || scene.mean_velocity)
         refuse(scene.pressure_gradient ? "fluid.pressure_gradient" : "fluid.mean_velocity");
-    if (scene.follow)
-        refuse("domain.follow");
     for (int side = 0; side < 2 * scene.dimension; ++side)
         if (const SideScene::Kind kind = scene.sides[side].kind;
             kind == SideScene::Kind::inflow || kind == SideScene::Kind::pressure)
@@ -202,11 +204,6 @@ void check_viscosity_of_parts(const Values& v, const Scene& scene)
     };
     if (scene.follow)
         refuse("domain.follow", "a grid that follows", "leave it out, or write gap.model = \"film\"");
-    const auto gaps = gaps_of(scene);
-    if (scene.vapour_pressure)
-        refuse("fluid.vapour_pressure", "cavitation", "leave it out, or write gap.model = \"film\"");
-    if (std::any_of(gaps.begin(), gaps.end(), [](const GapScene* gap) { return gap->contact == GapScene::Contact::dry; }))
-        refuse("gap.contact", "dry contact", "write \"wet\", or gap.model = \"film\"");
 }
 
 /// What runs with parts do not have yet.

@@ -40,22 +40,22 @@ struct ViscousSolve<D>::Projected {
 
 template <int D>
 ViscousSolve<D>::ViscousSolve(const Placed<D>& at, const ViscousColumns<D>& columns, const std::vector<TwistMatrix<D>>& mass,
-                              double factor, ViscousMethod method)
+                              double factor, ViscousMethod method, const std::vector<int>& given)
     : columns_(columns), factor_(factor)
 {
     find_mass(at, mass);
     find_free(at, mass);
     if (method == ViscousMethod::direct)
-        set_up_direct();
+        set_up_direct(given);
     else
-        set_up_projected(at);
+        set_up_projected(at, given);
 }
 
 template <int D>
 ViscousSolve<D>::~ViscousSolve() = default;
 
 template <int D>
-void ViscousSolve<D>::set_up_direct()
+void ViscousSolve<D>::set_up_direct(const std::vector<int>& given)
 {
     direct_ = std::make_unique<Direct>();
     const typename ViscousColumns<D>::Rows rows = columns_.squares() * free_, out = columns_.outflow() * free_;
@@ -71,6 +71,8 @@ void ViscousSolve<D>::set_up_direct()
                 response += entry.value() * entry.value() / diagonal[entry.col()];
         direct_->penalty[row] = response > 0 ? penalty / response : 0.0;
     }
+    for (const int row : given)
+        direct_->penalty[row] = 0;
     H += Matrix(Matrix(out.transpose()) * direct_->penalty.asDiagonal() * Matrix(out));
     if (!direct_->factor.compute(H))
         throw ComputationError("the viscous system is not positive definite");
@@ -111,11 +113,11 @@ Eigen::MatrixXd ViscousSolve<D>::body_block() const
 }
 
 template <int D>
-void ViscousSolve<D>::set_up_projected(const Placed<D>& at)
+void ViscousSolve<D>::set_up_projected(const Placed<D>& at, const std::vector<int>& given)
 {
     Vector diagonal = factor_ * columns_.diagonal().head(columns_.twist(0));
     diagonal.head(columns_.edges()).array() += 1;
-    projected_ = std::make_unique<Projected>(Projected{ViscousProjection<D>(at, columns_, free_, diagonal, body_block())});
+    projected_ = std::make_unique<Projected>(Projected{ViscousProjection<D>(at, columns_, free_, diagonal, body_block(), given)});
 }
 
 /// Own masses, D, what gaps add; edges have the energy 1/2 n^2.
@@ -186,19 +188,24 @@ double ViscousSolve<D>::size(const Vector& change) const
 }
 
 template <int D>
-typename ViscousSolve<D>::Stage ViscousSolve<D>::solve(const Vector& y_star, const Vector& load, const Stage* like) const
+typename ViscousSolve<D>::Stage ViscousSolve<D>::solve(const Vector& y_star, const Vector& load, const Stage* like,
+                                                       const GivenRows* rows) const
 {
     Vector base = y_star;
     base.segment(columns_.edges(), columns_.twist(0) - columns_.edges()).setZero();
-    return direct_ ? solve_direct(base, load) : solve_projected(base, load, like);
+    return direct_ ? solve_direct(base, load, rows) : solve_projected(base, load, like, rows);
 }
 
 template <int D>
-typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base, const Vector& load) const
+typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base, const Vector& load, const GivenRows* rows) const
 {
     const Vector& penalty_of = direct_->penalty;
     Vector d = Vector::Zero(base.size()), outflow = Vector::Zero(penalty_of.size());
     Stage stage{base, outflow};
+    if (rows) {
+        stage.pressure = rows->pressure;
+        outflow = -rows->outflow;
+    }
     double last = std::numeric_limits<double>::infinity();
     for (stage.iterations = 1;; ++stage.iterations) {
         const Vector multiplier = stage.pressure + penalty_of.cwiseProduct(outflow),
@@ -207,6 +214,8 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
         d += change;
         stage.y = base + d;
         outflow = columns_.outflow() * d;
+        if (rows)
+            outflow -= rows->outflow;
         stage.pressure += penalty_of.cwiseProduct(outflow);
         const double moved = size(change), whole = size(d);
         if (moved <= solve_accuracy * whole ||
@@ -222,7 +231,7 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
 /// is taken out of it, so that what the projection's tolerance leaves does not grow.
 template <int D>
 typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& base, const Vector& load,
-                                                                 const Stage* like) const
+                                                                 const Stage* like, const GivenRows* rows) const
 {
     constexpr int most_iterations = 3000;
     const ViscousProjection<D>& projection = projected_->projection;
@@ -234,7 +243,13 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
         return Vector(free_.transpose() * (mass_ * y + friction(y)) + hold_ * v);
     };
     Stage stage{base, Vector::Zero(columns_.unknowns())};
-    Vector r = free_.transpose() * (load - friction(base)) - product(x);
+    Vector force = load - friction(base);
+    if (rows) {
+        x = projection.with_outflow(rows->outflow);
+        force -= columns_.outflow().transpose() * rows->pressure;
+        stage.pressure = rows->pressure;
+    }
+    Vector r = free_.transpose() * force - product(x);
     Vector z, p;
     // Relative to the kinetic energy, or where there is none to what is gained: slip along walls that nothing resists yet has residuals of any size.
     double rz = 0, largest_outflow = 0, scale = base.dot(mass_ * base);

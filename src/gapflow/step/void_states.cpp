@@ -1,4 +1,6 @@
 // The flow beside voids at a scene's start, and the pairs' states.
+#include "gapflow/step/given_sides.hpp"
+#include "gapflow/step/remainder.hpp"
 #include "gapflow/step/void_solve.hpp"
 
 #include <algorithm>
@@ -8,7 +10,8 @@
 namespace gapflow {
 
 template <int D>
-PotentialFlow<D> flow_beside_voids(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options)
+PotentialFlow<D> flow_beside_voids(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options,
+                                   Remainder<D> remainder, const GivenSides<D>& sides)
 {
     Coupling<D> coupling = *at.voids.all;
     UnknownVector<D> outflow{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)};
@@ -17,7 +20,15 @@ PotentialFlow<D> flow_beside_voids(const Placed<D>& at, std::vector<Twist<D>> tw
         if (at.voids.is_void(part.part))
             given[part.row] = 0;
     take_rows_out(coupling, given, &outflow);
-    return flow_with_outflow<D>(at.complex, std::move(coupling), std::move(twists), std::move(outflow), options, nullptr);
+    if (!remainder.empty())
+        add_to(outflow, outflow_of_remainder(at, remainder));
+    if (sides.any())
+        add_to(outflow, outflow_of_sides(at, sides));
+    PotentialFlow<D> flow =
+        flow_with_outflow<D>(at.complex, std::move(coupling), std::move(twists), std::move(outflow), options, nullptr);
+    flow.remainder = std::move(remainder);
+    flow.sides = sides;
+    return flow;
 }
 
 template <int D>
@@ -76,7 +87,8 @@ void add_void_states(const Model<D>& model, const Placed<D>& at, const State<D>&
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template PotentialFlow<D> flow_beside_voids<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&);             \
+    template PotentialFlow<D> flow_beside_voids<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&,           \
+                                                   Remainder<D>, const GivenSides<D>&);                                        \
     template void add_void_states<D>(const Model<D>&, const Placed<D>&, const State<D>&, const PartVoids&,                     \
                                      std::vector<GapState>&);
 GAPFLOW_INSTANTIATE(2)

@@ -32,6 +32,26 @@ double RowList::value(int row, std::span<const double> x) const
 }
 
 template <int D>
+ViscousForm<D> ViscousForm<D>::filled(const std::vector<double>& share) const
+{
+    ViscousForm<D> form = *this;
+    for (std::size_t k = 0; k < gap_face.size(); ++k)
+        if (gap_face[k] >= 0)
+            form.squares.weight[gap_rows[0] + static_cast<std::int64_t>(k)] *= share[gap_face[k]];
+    for (std::int64_t row = 0; row < gap_rows[0]; ++row) {
+        double least = 1;
+        for (std::int64_t t = squares.end[row]; t < squares.end[row + 1]; ++t)
+            if (squares.column[t] < velocities())
+                least = std::min(least, share[squares.column[t]]);
+        form.squares.weight[row] *= least;
+    }
+    for (std::size_t k = 0; k < turning_face.size(); ++k)
+        if (turning_face[k] >= 0)
+            form.rotation.weight[k] *= share[turning_face[k]];
+    return form;
+}
+
+template <int D>
 std::vector<double> ViscousForm<D>::with_derived(std::span<const double> x) const
 {
     std::vector<double> all(all_columns());
@@ -203,9 +223,8 @@ ViscousForm<D> FormBuilder<D>::build()
             add_face(static_cast<std::int32_t>(face));
     for (int cell = 0; cell < form_.cells.count(); ++cell)
         add_along(cell);
-    const std::int64_t first_of_gaps = form_.squares.rows();
     add_gaps();
-    form_.gap_rows = {first_of_gaps, form_.squares.rows()};
+    form_.gap_rows = {first_of_gaps_, form_.squares.rows()};
     add_outflow();
     add_rotation();
     drop_unused_traces();

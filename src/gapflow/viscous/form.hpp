@@ -71,6 +71,7 @@ struct ViscousForm {
     SquareSum squares; ///< no weight is negative
     std::array<std::int64_t, 2>
         gap_rows{};  ///< those of gaps in closed form, without derived columns: the first one, and the first one after them
+    std::vector<std::int32_t> gap_face, turning_face; ///< face of each of these; of each row of `rotation`, -1: of no face
     RowList derived; ///< of columns
     WholeFaces whole;
     std::vector<FormElement> elements; ///< of the other faces with traces, 3D
@@ -91,6 +92,8 @@ struct ViscousForm {
     double energy(std::span<const double> x) const;
     /// All of it but the rotation, in `columns()` alone.
     SquareSum plain_squares() const;
+    /// The same where fluid fills a share of each face, of streams as thick as the gap: the weight of its rows. Velocities are those of the fluid.
+    ViscousForm filled(const std::vector<double>& share) const;
     /// Of its matrix, nearly: where a row has two derived columns of one column, the sum of their squares.
     std::vector<double> diagonal() const;
     /// The same of velocities that traces follow as `beside` says.
