@@ -35,12 +35,9 @@ template <int D>
 ViscousForm<D> ViscousForm<D>::filled(const std::vector<double>& share) const
 {
     ViscousForm<D> form = *this;
-    for (std::size_t k = 0; k < gap_face.size(); ++k)
-        if (gap_face[k] >= 0)
-            form.squares.weight[gap_rows[0] + static_cast<std::int64_t>(k)] *= share[gap_face[k]];
-    for (std::int64_t row = 0; row < gap_rows[0]; ++row) {
-        double least = 1;
-        for (std::int64_t t = squares.end[row]; t < squares.end[row + 1]; ++t)
+    for (std::int64_t row = 0; row < squares.rows(); ++row) {
+        double least = row_face[row] >= 0 ? share[row_face[row]] : 1;
+        for (std::int64_t t = squares.end[row]; t < squares.end[row + 1] && row_face[row] < 0; ++t)
             if (squares.column[t] < velocities())
                 least = std::min(least, share[squares.column[t]]);
         form.squares.weight[row] *= least;
@@ -216,15 +213,19 @@ ViscousForm<D> FormBuilder<D>::build()
     find_gaps();
     moment_.resize(form_.faces.size());
     whole_element_.assign(form_.faces.size(), -1);
-    for (std::size_t face = 0; face < form_.faces.size(); ++face)
+    for (std::size_t face = 0; face < form_.faces.size(); ++face) {
         if (form_.faces[face].compact)
             add_compact(static_cast<std::int32_t>(face));
         else
             add_face(static_cast<std::int32_t>(face));
+        form_.row_face.resize(form_.squares.rows(), static_cast<std::int32_t>(face));
+    }
     for (int cell = 0; cell < form_.cells.count(); ++cell)
         add_along(cell);
+    const std::int64_t first_of_gaps = form_.squares.rows();
+    form_.row_face.resize(first_of_gaps, -1);
     add_gaps();
-    form_.gap_rows = {first_of_gaps_, form_.squares.rows()};
+    form_.gap_rows = {first_of_gaps, form_.squares.rows()};
     add_outflow();
     add_rotation();
     drop_unused_traces();

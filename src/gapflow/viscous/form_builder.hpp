@@ -198,7 +198,6 @@ private:
     bool periodic_ = false;
     ViscousForm<D> form_;
     std::array<std::vector<std::int32_t>, D> whole_face_;           ///< by number in Complex::index; -1: none
-    std::int64_t first_of_gaps_ = 0;  ///< row of form_.squares
     std::vector<double> gap_of_cell_;                               ///< share of its dissipation that is that of gaps
     std::map<std::array<std::int32_t, 2>, double> least_thickness_; ///< of the gaps of two solids, 3D
     std::vector<std::int32_t> face_of_piece_;                       ///< -1: none of its own

@@ -193,7 +193,7 @@ std::vector<std::size_t> FormBuilder<2>::side_by_side()
         rest.add(of_solid(from.solid, from.at, axis), 0.5 * share * (A + B) - A * (1 - 0.5 * z));
         rest.add(of_solid(to.solid, to.at, axis), 0.5 * share * (A + B) - 0.5 * A * z);
         form_.squares.add(form_.faces[a].gap / low.share * low.resistance, rest);
-        form_.gap_face.resize(form_.squares.rows() - first_of_gaps_, a);
+        form_.row_face.resize(form_.squares.rows(), a);
     }
     return first;
 }
@@ -214,7 +214,6 @@ template <int D>
 void FormBuilder<D>::add_gaps()
 {
     constexpr int T = twist_size<D>;
-    first_of_gaps_ = form_.squares.rows();
     form_.turning_face.resize(form_.rotation.rows(), -1);
     const std::vector<std::size_t> first = side_by_side();
     add_turning();
@@ -241,7 +240,7 @@ void FormBuilder<D>::add_gaps()
         }
         if (!(form.resistance > 0)) {
             add_pair(drag.solid, form.mass);
-            form_.gap_face.resize(form_.squares.rows() - first_of_gaps_, face);
+            form_.row_face.resize(form_.squares.rows(), face);
             continue;
         }
         Crossing& crossing = crossings[first[k]];
@@ -251,16 +250,16 @@ void FormBuilder<D>::add_gaps()
         for (int j = 0; j < 2 * T; ++j)
             crossing.flux.add(-1 - T * drag.solid[j / T] - j % T, form.flux[j] / form.resistance - of.area * drag.motion[j]);
         add_pair(drag.solid, form.mass - form.flux * form.flux.transpose() / form.resistance);
-        form_.gap_face.resize(form_.squares.rows() - first_of_gaps_, face);
+        form_.row_face.resize(form_.squares.rows(), face);
     }
     for (const Crossing& crossing : crossings)
         if (crossing.conductance > 0) {
             form_.squares.add(1 / crossing.conductance, crossing.flux);
-            form_.gap_face.resize(form_.squares.rows() - first_of_gaps_, crossing.face);
+            form_.row_face.resize(form_.squares.rows(), crossing.face);
         }
     for (const PeakDrag<D>& peak : gaps_.peaks) {
         add_pair(peak.solid, pair_share(peak.solid) * peak.mass);
-        form_.gap_face.resize(form_.squares.rows() - first_of_gaps_, face_at(peak));
+        form_.row_face.resize(form_.squares.rows(), face_at(peak));
     }
 }
 

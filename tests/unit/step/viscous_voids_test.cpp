@@ -5,6 +5,7 @@
 #include "gapflow/step/remainder.hpp"
 #include "gapflow/step/viscosity.hpp"
 #include "gapflow/step/void_solve.hpp"
+#include "gapflow/viscous/form.hpp"
 
 #include <algorithm>
 #include <array>
@@ -291,5 +292,6 @@ TEST(ViscousVoids, GoOnFromAStoredState)
     expect_to_go_on<2>(viscous_block(2, 1.05 * pressure_beyond, 0.01));
 }
 
+#include "/tmp/h1/dbg.cpp"
 } // namespace
 } // namespace gapflow
