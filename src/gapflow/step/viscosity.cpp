@@ -4,6 +4,7 @@
 
 #include "gapflow/grid/side_faces.hpp"
 #include "gapflow/step/covered.hpp"
+#include "gapflow/step/drained.hpp"
 #include "gapflow/step/inner_faces.hpp"
 #include "gapflow/step/remainder.hpp"
 #include "gapflow/step/viscous_solve.hpp"
@@ -378,8 +379,9 @@ ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<
     const double factor = viscosity * std::pow(at.coupling.grid->dx(), D - 2) * stage_share * dt,
                  volume = at.coupling.grid->size().prod();
     std::shared_ptr<const ViscousForm<D>> form = at.viscous;
-    if (!at.voids.edges.empty())
-        form = std::make_shared<const ViscousForm<D>>(form->filled(ViscousColumns<D>(at, *form).filled()));
+    if (voids && (!at.voids.edges.empty() || !voids->given.empty()))
+        form = std::make_shared<const ViscousForm<D>>(
+            drained_form(at, *form, ViscousColumns<D>(at, *form).filled(), voids->given));
     const ViscousColumns<D> columns(at, *form);
     std::vector<int> free_rows;
     if (voids)

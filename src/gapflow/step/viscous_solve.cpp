@@ -221,6 +221,8 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
         if (moved <= solve_accuracy * whole ||
             (moved >= 0.5 * last && (moved <= round_off * whole || moved <= solve_accuracy * size(stage.y))))
             return stage; // of a steady flow all changes are round-off
+        if (getenv("DBGS"))
+            printf("     it %d moved %g whole %g y %g outflow %g load %g\n", stage.iterations, moved, whole, size(stage.y), outflow.cwiseProduct(penalty_of.cwiseSqrt()).norm(), load.norm());
         if (stage.iterations == most_corrections)
             fail(stage.iterations);
         last = moved;

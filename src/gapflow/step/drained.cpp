@@ -1,0 +1,88 @@
+#include "gapflow/step/drained.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace gapflow {
+namespace {
+
+/// Arms that lead to voids, by the faces of the form.
+template <int D>
+std::map<std::int32_t, const GapArm<D>*> arms_of_voids(const Placed<D>& at, const ViscousForm<D>& form,
+                                                       const std::map<long, double>& given)
+{
+    const auto is_void = [&](const PartOrCell& side) {
+        const VoidPart<D>* part = side.exists() ? at.voids.find(site_of(at.complex, side)) : nullptr;
+        return part && (at.voids.is_void(part->part) || given.contains(part->row));
+    };
+    std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> faces;
+    for (std::int32_t f = 0; f < form.velocities(); ++f)
+        if (!form.faces[f].whole)
+            faces[{form.faces[f].axis, form.faces[f].face}].push_back(f);
+    std::map<std::int32_t, const GapArm<D>*> result;
+    for (const GapArm<D>& arm : at.voids.arms) {
+        const FacePiece<D>& piece = at.complex.pieces[arm.piece];
+        if (!is_void(piece.low) && !is_void(piece.high))
+            continue;
+        for (const std::int32_t f : faces[{piece.axis, piece.face}])
+            if (form.faces[f].low == form.cells.of(piece.low) && form.faces[f].high == form.cells.of(piece.high))
+                result[f] = &arm;
+    }
+    return result;
+}
+
+/// Without what it has of the gap's opening: 0 of a motion of the second solid along the gap's normal.
+template <int D>
+Row without_opening(const ViscousForm<D>& form, Row row, const GapArm<D>& arm)
+{
+    constexpr int T = twist_size<D>;
+    const Vec<D> normal = arm.opening.template segment<D>(T);
+    const double square = normal.squaredNorm();
+    if (!(square > 0))
+        return row;
+    double by_normal = 0;
+    for (const Term& term : row.terms())
+        for (int k = 0; k < D; ++k)
+            by_normal += term.column == form.twist_column(arm.solid[1], k) ? term.factor * normal[k] / square : 0.0;
+    for (int k = 0; k < 2 * T; ++k)
+        row.add(form.twist_column(arm.solid[k / T], k % T), -by_normal * arm.opening[k]);
+    row.merge();
+    return row;
+}
+
+} // namespace
+
+template <int D>
+ViscousForm<D> drained_form(const Placed<D>& at, const ViscousForm<D>& form, const std::vector<double>& filled,
+                            const std::map<long, double>& given)
+{
+    ViscousForm<D> result = form.filled(filled);
+    const std::map<std::int32_t, const GapArm<D>*> arms = arms_of_voids(at, form, given);
+    SquareSum& sum = result.squares;
+    sum.end.resize(1);
+    sum.column.clear();
+    sum.factor.clear();
+    for (std::int64_t k = 0; k < form.squares.rows(); ++k) {
+        Row row;
+        for (std::int64_t t = form.squares.end[k]; t < form.squares.end[k + 1]; ++t)
+            row.add(form.squares.column[t], form.squares.factor[t]);
+        const auto found = k >= form.gap_rows[0] && k < form.gap_rows[1] ? arms.find(form.row_face[k]) : arms.end();
+        if (found != arms.end())
+            row = without_opening(form, std::move(row), *found->second);
+        for (const Term& term : row.terms()) {
+            sum.column.push_back(term.column);
+            sum.factor.push_back(term.factor);
+        }
+        sum.end.push_back(static_cast<std::int64_t>(sum.column.size()));
+    }
+    return result;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template ViscousForm<D> drained_form<D>(const Placed<D>&, const ViscousForm<D>&, const std::vector<double>&,               \
+                                            const std::map<long, double>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
