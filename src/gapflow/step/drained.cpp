@@ -1,6 +1,6 @@
 #include "gapflow/step/drained.hpp"
 
-#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace gapflow {
@@ -31,23 +31,37 @@ std::map<std::int32_t, const GapArm<D>*> arms_of_voids(const Placed<D>& at, cons
     return result;
 }
 
-/// Without what it has of the gap's opening: 0 of a motion of the second solid along the gap's normal.
+/// With the walls' velocities along the gap at the arm's piece alone: as where both move along it without turning.
 template <int D>
-Row without_opening(const ViscousForm<D>& form, Row row, const GapArm<D>& arm)
+Row along_gap(const Placed<D>& at, const ViscousForm<D>& form, const Row& row, const GapArm<D>& arm)
 {
     constexpr int T = twist_size<D>;
-    const Vec<D> normal = arm.opening.template segment<D>(T);
-    const double square = normal.squaredNorm();
-    if (!(square > 0))
+    const Grid<D>& grid = *at.coupling.grid;
+    Vec<D> normal = arm.opening.template segment<D>(T);
+    if (normal.isZero(0)) // a wall that stays
+        normal = arm.opening.template head<D>();
+    if (normal.isZero(0))
         return row;
-    double by_normal = 0;
-    for (const Term& term : row.terms())
-        for (int k = 0; k < D; ++k)
-            by_normal += term.column == form.twist_column(arm.solid[1], k) ? term.factor * normal[k] / square : 0.0;
-    for (int k = 0; k < 2 * T; ++k)
-        row.add(form.twist_column(arm.solid[k / T], k % T), -by_normal * arm.opening[k]);
-    row.merge();
-    return row;
+    normal.normalize();
+    const Vec<D> place = grid.anchor() + grid.dx() * at.complex.pieces[arm.piece].centroid;
+    Row result;
+    std::array<Vec<D>, 2> by{Vec<D>::Zero(), Vec<D>::Zero()};
+    for (const Term& term : row.terms()) {
+        const int k = term.column - form.unknowns(), solid = k / T;
+        if (k < 0 || k >= T * form.solids)
+            result.add(term.column, term.factor);
+        else if (k % T < D)
+            by[solid == arm.solid[1]][k % T] += term.factor;
+    }
+    for (int side = 0; side < 2; ++side) {
+        const Vec<D> along = by[side] - by[side].dot(normal) * normal,
+                     way = grid.nearest_image(Vec<D>(place - at.coupling.solids[arm.solid[side]].centre)) / grid.dx();
+        const Spin<D> turn = moment<D>(way, along);
+        for (int k = 0; k < T; ++k)
+            result.add(form.twist_column(arm.solid[side], k), k < D ? along[k] : turn[k - D]);
+    }
+    result.merge();
+    return result;
 }
 
 } // namespace
@@ -68,7 +82,7 @@ ViscousForm<D> drained_form(const Placed<D>& at, const ViscousForm<D>& form, con
             row.add(form.squares.column[t], form.squares.factor[t]);
         const auto found = k >= form.gap_rows[0] && k < form.gap_rows[1] ? arms.find(form.row_face[k]) : arms.end();
         if (found != arms.end())
-            row = without_opening(form, std::move(row), *found->second);
+            row = along_gap(at, form, row, *found->second);
         for (const Term& term : row.terms()) {
             sum.column.push_back(term.column);
             sum.factor.push_back(term.factor);

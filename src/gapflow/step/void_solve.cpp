@@ -240,17 +240,16 @@ void VoidSolve<D>::put(UnknownVector<D>& p) const
 template <int D>
 void VoidSolve<D>::find_bounds(const PotentialFlow<D>* last)
 {
-    if (model_.viscous()) {
-        bound_.assign(past_.size(), 0.0); // they act with viscosity
-        return;
-    }
     const std::vector<double> now = last ? squares_of_speed(there_, *last, drops(last->p)) : std::vector<double>();
     bound_.clear();
     for (std::size_t k = 0; k < past_.size(); ++k) {
         const VoidPart<D>& part = there_.voids.parts[k];
         const double square = last ? 0.5 * (square_[k] + now[part.part]) : square_[k];
-        bound_.push_back(past_[k] +
-                         dt_ * (part.least_pressure + (was_void_[k] ? 0.0 : 0.5 * there_.coupling.density * square)));
+        if (model_.viscous() && was_void_[k])
+            bound_.push_back(0); // its pressure acts with viscosity
+        else
+            bound_.push_back(past_[k] +
+                             dt_ * (part.least_pressure + (was_void_[k] ? 0.0 : 0.5 * there_.coupling.density * square)));
     }
 }
 
@@ -370,6 +369,8 @@ Projected<D> VoidSolve<D>::find(const Solve& solve, const PotentialFlow<D>* last
 {
     find_bounds(last);
     UnknownVector<D> p = last ? last->p : past_all_;
+    if (model_.viscous())
+        given_ = was_void_;
     find_heads(p);
     turns_.assign(head_.size(), 0);
     const UnknownVector<D> rest = rest_of(flow);
@@ -396,7 +397,7 @@ Projected<D> VoidSolve<D>::find(const Solve& solve, const PotentialFlow<D>* last
             settle_weak_rows(there_.complex, coupling, system.outflow, flow);
         }
         settled_ = round < most_rounds;
-        if (!model_.viscous() && settled_ && update(flow, round < rounds_at_once))
+        if (settled_ && update(flow, round < rounds_at_once))
             continue;
         for (std::size_t k = 0; k < given_.size(); ++k) // of the pressure of a void alone, which is no momentum of the fluid
             if (const long row = there_.voids.parts[k].row; given_[k] && was_void_[k])
@@ -481,6 +482,8 @@ bool VoidSolve<D>::update(const PotentialFlow<D>& flow, bool at_once)
     const double accuracy = accuracy_over_tolerance * model_.scene.tolerance;
     int last = -1;
     for (std::size_t k = 0; k < given_.size(); ++k) {
+        if (was_void_[k] && model_.viscous() && momentum_.empty())
+            continue; // it may be filled with viscosity
         const bool wrong = given_[k]
                                ? room(k) < -accuracy * largest_room && !passes_on(static_cast<int>(k))
                                : known_[k] && value(flow.p, there_.voids.parts[k].row) - bound_[k] < -accuracy * largest_excess;
