@@ -188,6 +188,8 @@ template <int D>
 void VoidSolve<D>::find_streams(const std::vector<double>& momentum)
 {
     const Voids<D>& voids = there_.voids;
+    if (voids.edges.empty())
+        return;
     const auto filled = [&](std::int32_t site) {
         const VoidPart<D>* part = voids.is_void(site) ? voids.find(site) : nullptr;
         return part ? std::clamp(1 - voids.volume[site] / part->room, 0.0, 1.0) : 1.0;
@@ -242,13 +244,6 @@ ViscousVoids<D> VoidSolve<D>::beside() const
 template <int D>
 bool VoidSolve<D>::turn(const PotentialFlow<D>& flow, int round)
 {
-    if (getenv("DBGV")) {
-        const auto out = outflows(flow, false);
-        for (std::size_t k = 0; k < given_.size(); ++k)
-            printf("   r %d part %d given %d was %d known %d p %g bound %g ideal %g out %g v/dt %g\n", round, there_.voids.parts[k].part, given_[k], was_void_[k], known_[k], value(flow.p, there_.voids.parts[k].row), bound_[k], ideal_[k], out[k], was_void_[k] ? there_.voids.volume[there_.voids.parts[k].part] / dt_ : 0.0);
-        for (std::size_t e = 0; e < momentum_.size(); ++e)
-            printf("     edge %zu sites %d %d start %g m %g open %g fluid %g\n", e, there_.voids.edges[e].sites[0], there_.voids.edges[e].sites.size() > 1 ? there_.voids.edges[e].sites[1] : -1, start_[e], momentum_[e], there_.voids.edges[e].open(), there_.voids.edges[e].fluid);
-    }
     settled_ = round < most_viscous_rounds;
     return settled_ && update(flow, round < most_viscous_rounds / 2);
 }

@@ -105,7 +105,7 @@ Scene pulled_plates(double viscosity)
     scene.max_step = 2e-3;
     scene.viscosity = viscosity;
     for (const int side : {-1, 1}) {
-        BodyScene plate = body(side < 0 ? "lower" : "upper", BodyScene::ShapeKind::box, {2, 2 + side * 0.255, 0});
+        BodyScene plate = body(side < 0 ? "lower" : "upper", BodyScene::ShapeKind::box, {2.013, 2 + side * 0.255, 0});
         plate.size = {1, 0.5, 0};
         plate.force = {0, 4.0 * side, 0};
         scene.bodies.push_back(plate);
