@@ -12,8 +12,8 @@
 namespace gapflow {
 namespace {
 
-constexpr double penalty = 1e4;              // over what the row's own unknowns resist with
-constexpr double widest = 100;               // of an edge's part in that, over a face of the grid: rows that a wide one joins are nearly one, which has the penalty of a row
+constexpr double penalty = 1e4;              // over what the row's narrowest edge resists with: rows that wide edges join are nearly one
+constexpr double narrowest = 1e-6;           // of the largest of these parts: less would be round-off
 constexpr double solve_accuracy = 1e-13;     // of the square root of the energy
 constexpr double iteration_accuracy = 1e-11; // of conjugate gradients, likewise
 constexpr double round_off = 1e-9;           // of the same, where corrections no longer become smaller
@@ -47,7 +47,7 @@ ViscousSolve<D>::ViscousSolve(const Placed<D>& at, const ViscousColumns<D>& colu
     find_mass(at, mass);
     find_free(at, mass);
     if (method == ViscousMethod::direct)
-        set_up_direct(at, given);
+        set_up_direct(given);
     else
         set_up_projected(at, given);
 }
@@ -56,7 +56,7 @@ template <int D>
 ViscousSolve<D>::~ViscousSolve() = default;
 
 template <int D>
-void ViscousSolve<D>::set_up_direct(const Placed<D>& at, const std::vector<int>& given)
+void ViscousSolve<D>::set_up_direct(const std::vector<int>& given)
 {
     direct_ = std::make_unique<Direct>();
     const typename ViscousColumns<D>::Rows rows = columns_.squares() * free_, out = columns_.outflow() * free_;
@@ -65,13 +65,16 @@ void ViscousSolve<D>::set_up_direct(const Placed<D>& at, const std::vector<int>&
     H += hold_;
     const Vector diagonal = H.diagonal().cwiseAbs();
     direct_->penalty.resize(out.rows());
-    const double most = widest * std::pow(at.coupling.grid->dx(), D - 2) / at.coupling.density;
     for (int row = 0; row < out.rows(); ++row) {
-        double response = 0;
+        double least = std::numeric_limits<double>::infinity(), largest = 0;
         for (typename ViscousColumns<D>::Rows::InnerIterator entry(out, row); entry; ++entry)
-            if (entry.value() != 0)
-                response += std::min(entry.value() * entry.value() / diagonal[entry.col()], most);
-        direct_->penalty[row] = response > 0 ? penalty / response : 0.0;
+            if (entry.value() != 0) {
+                const double response = entry.value() * entry.value() / diagonal[entry.col()];
+                largest = std::max(largest, response);
+                if (entry.col() < columns_.edges())
+                    least = std::min(least, response);
+            }
+        direct_->penalty[row] = largest > 0 ? penalty / std::max(std::min(least, largest), narrowest * largest) : 0.0;
     }
     for (const int row : given)
         direct_->penalty[row] = 0;

@@ -58,7 +58,7 @@ private:
 
     void find_mass(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass);
     void find_free(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass);
-    void set_up_direct(const Placed<D>& at, const std::vector<int>& given);
+    void set_up_direct(const std::vector<int>& given);
     void set_up_projected(const Placed<D>& at, const std::vector<int>& given);
     Stage solve_direct(const Vector& base, const Vector& load, const GivenRows* rows) const;
     Stage solve_projected(const Vector& base, const Vector& load, const Stage* like, const GivenRows* rows) const;
