@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace gapflow {
@@ -108,6 +109,16 @@ void leave_void_edges(Placed<D>& at)
         }
         edges.edges[edge.edge].conductance = 0;
     }
+    const Grid<D>& grid = *at.coupling.grid; // and those through sides of the domain
+    const long cells = grid.cells().template cast<long>().prod();
+    std::set<long> empty;
+    for (const VoidPart<D>& part : at.voids.parts)
+        if (at.voids.is_void(part.part))
+            empty.insert(part.row);
+    for (SparseEdge<D>& edge : edges.edges)
+        for (const auto& row : edges.rows_of(edge))
+            if (empty.contains(row.node >= 0 ? cells + row.node : grid.key(grid.wrapped(row.cell))))
+                edge.conductance = 0;
 }
 
 /// What follows from the arms, the mouths, and their voids.

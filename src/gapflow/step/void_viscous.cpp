@@ -53,6 +53,13 @@ public:
             sum += weight * potential(row);
         return sum;
     }
+    double drop(const SparseEdge<D>& edge) const
+    {
+        double sum = 0;
+        for (const auto& row : at_.edges.rows_of(edge))
+            sum += row.weight * (row.node >= 0 ? flow_.p.nodes[row.node] : flow_.p.cells(grid_.wrapped(row.cell)));
+        return sum;
+    }
     /// Density times the remainder's integral.
     double rest(const VoidEdge<D>& edge) const
     {
@@ -148,6 +155,11 @@ void change_viscous_voids(const Model<D>& model, const std::vector<RigidBody<D>>
         add_own(flow.remainder.edges = along_edges(at, flow.remainder.faces), own);
     } else {
         const std::vector<double> fluxes = edge_fluxes(at, flow).edge;
+        std::vector<char> shut; // edges of voids through sides of the domain
+        for (const SparseEdge<D>& edge : at.edges.edges)
+            shut.push_back(edge.piece >= 0 && !(edge.conductance > 0));
+        for (const VoidEdge<D>& edge : before)
+            shut[edge.edge] = 0;
         put_voids(model, bodies, mass, std::move(volume), at);
         Ways<D> ways(at, flow);
         now.kept.drop.clear();
@@ -175,6 +187,17 @@ void change_viscous_voids(const Model<D>& model, const std::vector<RigidBody<D>>
         level_filled(joined, filled, ways);
         for (const auto& [edge, value] : joined)
             ways.set(edge, value);
+        const long cells = model.grid.cells().template cast<long>().prod();
+        for (const long row : filled) // fluid in sides of the domain has not moved
+            for (int axis = 0; axis < D && row < cells; ++axis)
+                for (int end = 0; end < 2; ++end)
+                    if (const Index<D> f = model.grid.cell_of_key(row) + end * step<D>(axis);
+                        !is_inner(model.grid, axis, f) && at.coupling.system.conductance(axis, f) > 0)
+                        flow.remainder.faces(axis, f) = (end ? -1 : 1) * ways.potential(row) /
+                                                        (at.coupling.density * face_length(model.grid, axis, f));
+        for (std::size_t e = 0; e < std::min(shut.size(), at.edges.edges.size()); ++e)
+            if (shut[e] && at.edges.edges[e].conductance > 0)
+                flow.remainder.edges[e] = -ways.drop(at.edges.edges[e]) / at.coupling.density;
         exchange(model.grid, flow.remainder.faces);
     }
     now.kept.beyond = beyond_gaps(at.voids);
