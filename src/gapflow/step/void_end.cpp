@@ -313,6 +313,7 @@ void VoidSolve<D>::finish(const std::vector<RigidBody<D>>& bodies, const std::ve
     }
     for (std::size_t e = 0; e < head_.size(); ++e)
         flux.push_back(this->flux(e, now.flow.p));
+    const std::vector<double> own = flux;
     pass_on(volume, out, flux, now.kept.lost);
     std::map<long, double> filled; // and their outflow
     std::vector<double> kept(count_sites(there_.complex), 0.0);
@@ -323,7 +324,7 @@ void VoidSolve<D>::finish(const std::vector<RigidBody<D>>& bodies, const std::ve
             filled[parts[k].row] = out[k];
     if (model_.viscous()) {
         for (std::size_t e = 0; e < flux.size(); ++e)
-            momentum_[e] = flux[e] / there_.voids.edges[e].open();
+            momentum_[e] += (flux[e] - own[e]) / (there_.voids.edges[e].permeable * there_.voids.edges[e].conductance); // a front
         change_viscous_voids(model_, bodies, mass, std::move(kept), momentum_, now);
     } else
         change_voids(model_, bodies, mass, std::move(kept), flux, filled, now);
