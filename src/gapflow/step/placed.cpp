@@ -94,9 +94,7 @@ void leave_void_edges(Placed<D>& at)
     for (const MouthArm<D>& mouth : at.voids.mouths)
         number.push_back((number.empty() ? 0 : number.back()) + (mouth.resistance > 0));
     for (VoidEdge<D>& edge : at.voids.edges) {
-        edge.edge = edge.mouth >= 0   ? of_mouth[number[edge.mouth] - 1]
-                    : edge.piece >= 0 ? edges.edge_of_piece[edge.piece]
-                                      : -1;
+        edge.edge = edge.mouth >= 0 ? of_mouth[number[edge.mouth] - 1] : edge.piece >= 0 ? edges.edge_of_piece[edge.piece] : -1;
         if (edge.edge < 0) { // a face of the grid
             edge.edge = static_cast<std::int32_t>(edges.edges.size());
             edges.edges.push_back({0, edge.piece, -1, -1, static_cast<std::int32_t>(edges.rows.size()),

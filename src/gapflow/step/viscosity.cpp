@@ -294,16 +294,15 @@ Friction<D> friction_of(const ViscousForm<D>& form, const Eigen::VectorXd& x, co
 
 /// The flow after the stages, and what they do to the solids.
 template <int D>
-void take_end(const Placed<D>& at, const ViscousForm<D>& form, const ViscousColumns<D>& columns, const ViscousStages<D>& stages, double factor,
-              const Remainder<D>& driven, PotentialFlow<D>& flow, ViscousStep<D>& result)
+void take_end(const Placed<D>& at, const ViscousForm<D>& form, const ViscousColumns<D>& columns, const ViscousStages<D>& stages,
+              double factor, const Remainder<D>& driven, PotentialFlow<D>& flow, ViscousStep<D>& result)
 {
     constexpr int T = twist_size<D>;
     const Coupling<D>& coupling = at.coupling;
     const Grid<D>& grid = *coupling.grid;
     const Eigen::VectorXd x = stages.mean_in_form();
     Eigen::VectorXd by_form(x.size());
-    form.product({x.data(), static_cast<std::size_t>(x.size())},
-                 {by_form.data(), static_cast<std::size_t>(by_form.size())});
+    form.product({x.data(), static_cast<std::size_t>(x.size())}, {by_form.data(), static_cast<std::size_t>(by_form.size())});
     by_form *= factor;
     const Eigen::VectorXd slowed = columns.by_fluxes(by_form) / coupling.density; // what the remainder loses along the edges
     PotentialFlow<D> by{{}, columns.to_unknowns(stages.pressure), 0, {}};
@@ -352,7 +351,8 @@ GivenRows no_given_rows(const GivenRows& rows)
 
 /// Voids in the columns: their edges' momenta, and what they give to rows. The rows' outflow is NaN where it stays.
 template <int D>
-GivenRows take_voids(const Placed<D>& at, const ViscousColumns<D>& columns, const ViscousVoids<D>& voids, Eigen::VectorXd& start)
+GivenRows take_voids(const Placed<D>& at, const ViscousColumns<D>& columns, const ViscousVoids<D>& voids,
+                     Eigen::VectorXd& start)
 {
     for (std::size_t e = 0; e < voids.momentum.size(); ++e) {
         const int edge = columns.edge_of(at.voids.edges[e].edge);
@@ -445,7 +445,7 @@ ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void fill_covered<D>(const Placed<D>&, FaceField<D>&);                                                            \
     template ViscousStep<D> add_viscosity<D>(const Placed<D>&, const std::vector<TwistMatrix<D>>&, const ViscousLoads<D>&,     \
-                                             double, double, PotentialFlow<D>&, ViscousVoids<D>*);                              \
+                                             double, double, PotentialFlow<D>&, ViscousVoids<D>*);                             \
     template Vec<D> mean_flux<D>(const Grid<D>&, const FaceField<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -82,14 +82,13 @@ void ViscousColumns<D>::find_faces()
         at_face[{form_.faces[k].axis, form_.faces[k].face}].push_back(k);
     through_.resize(form_.velocities());
     filled_.assign(form_.velocities(), 1.0);
-    std::vector<double> filled(edges(), 1.0);                           // of the way along each edge
+    std::vector<double> filled(edges(), 1.0);            // of the way along each edge
     std::map<std::pair<int, std::int32_t>, int> to_void; // edges of faces of the grid
     std::map<std::int32_t, int> piece_to_void;
     for (const VoidEdge<D>& edge : at_.voids.edges) {
         filled[edge_of(edge.edge)] = std::max(least_filled, edge.fluid * edge.permeable);
         if (edge.face >= 0)
-            to_void[{static_cast<int>(edge.face % D),
-                     complex.index(grid.cell_of_key(edge.face / D))}] = edge_of(edge.edge);
+            to_void[{static_cast<int>(edge.face % D), complex.index(grid.cell_of_key(edge.face / D))}] = edge_of(edge.edge);
         else if (edge.mouth < 0)
             piece_to_void[edge.piece] = edge_of(edge.edge);
     }

@@ -12,8 +12,8 @@
 namespace gapflow {
 namespace {
 
-constexpr double penalty = 1e4;              // over what the row's narrowest edge resists with: rows that wide edges join are nearly one
-constexpr double narrowest = 1e-6;           // of the largest of these parts: less would be round-off
+constexpr double penalty = 1e4;    // over what the row's narrowest edge resists with: rows that wide edges join are nearly one
+constexpr double narrowest = 1e-6; // of the largest of these parts: less would be round-off
 constexpr double solve_accuracy = 1e-13;     // of the square root of the energy
 constexpr double iteration_accuracy = 1e-11; // of conjugate gradients, likewise
 constexpr double round_off = 1e-9;           // of the same, where corrections no longer become smaller
@@ -122,7 +122,8 @@ void ViscousSolve<D>::set_up_projected(const Placed<D>& at, const std::vector<in
 {
     Vector diagonal = factor_ * columns_.diagonal().head(columns_.twist(0));
     diagonal.head(columns_.edges()).array() += 1;
-    projected_ = std::make_unique<Projected>(Projected{ViscousProjection<D>(at, columns_, free_, diagonal, body_block(), given)});
+    projected_ =
+        std::make_unique<Projected>(Projected{ViscousProjection<D>(at, columns_, free_, diagonal, body_block(), given)});
 }
 
 /// Own masses, D, what gaps add; edges have the energy 1/2 n^2.
@@ -202,7 +203,8 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve(const Vector& y_star, con
 }
 
 template <int D>
-typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base, const Vector& load, const GivenRows* rows) const
+typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base, const Vector& load,
+                                                              const GivenRows* rows) const
 {
     const Vector& penalty_of = direct_->penalty;
     Vector d = Vector::Zero(base.size()), outflow = Vector::Zero(penalty_of.size());
@@ -235,8 +237,8 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
 /// Conjugate gradients (N. I. M. Gould, M. E. Hribar, J. Nocedal, SIAM J. Sci. Comput. 23 (2001) 1376-1395): each residual is projected, and its part that is a pressure's
 /// is taken out of it, so that what the projection's tolerance leaves does not grow.
 template <int D>
-typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& base, const Vector& load,
-                                                                 const Stage* like, const GivenRows* rows) const
+typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& base, const Vector& load, const Stage* like,
+                                                                 const GivenRows* rows) const
 {
     constexpr int most_iterations = 3000;
     const ViscousProjection<D>& projection = projected_->projection;

@@ -324,7 +324,8 @@ void VoidSolve<D>::finish(const std::vector<RigidBody<D>>& bodies, const std::ve
             filled[parts[k].row] = out[k];
     if (model_.viscous()) {
         for (std::size_t e = 0; e < flux.size(); ++e)
-            momentum_[e] += (flux[e] - own[e]) / (there_.voids.edges[e].permeable * there_.voids.edges[e].conductance); // a front
+            momentum_[e] +=
+                (flux[e] - own[e]) / (there_.voids.edges[e].permeable * there_.voids.edges[e].conductance); // a front
         change_viscous_voids(model_, bodies, mass, std::move(kept), momentum_, now);
     } else
         change_voids(model_, bodies, mass, std::move(kept), flux, filled, now);

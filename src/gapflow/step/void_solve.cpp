@@ -2,7 +2,6 @@
 
 #include "gapflow/coupling/fluid_rows.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
-#include "gapflow/step/inner_faces.hpp"
 #include "gapflow/step/matching.hpp"
 #include "gapflow/step/own_edges.hpp"
 #include "gapflow/step/remainder.hpp"
@@ -22,58 +21,6 @@ constexpr double shut = 1e-6;                        // share of an edge's condu
 constexpr double closed = 1e-6;                      // share of a gap below which no void is passed on through it
 
 } // namespace
-
-template <int D>
-std::vector<double> squares_of_speed(const Placed<D>& at, const PotentialFlow<D>& flow, const std::vector<double>& drop)
-{
-    const UnknownVector<D>& p = flow.p;
-    const Grid<D>& grid = *at.coupling.grid;
-    const Complex<D>& complex = at.complex;
-    const auto value = [&](const PartOrCell& side) {
-        const int node = side.is_part() ? at.node[side.number()] : -1;
-        return node >= 0 ? p.nodes[node] : p.cells(grid.wrapped(complex.index.index(complex.cell_of(side))));
-    };
-    std::map<std::int32_t, double> along; // by pieces
-    for (std::size_t e = 0; e < drop.size(); ++e)
-        if (const VoidEdge<D>& edge = at.voids.edges[e]; edge.piece >= 0)
-            along[edge.piece] = edge.conductance * drop[e] / edge.area;
-    std::vector<double> narrowed(complex.pieces.size(), 1.0); // flux over that of a duct with the face's area
-    for (const GapArm<D>& arm : at.voids.arms)
-        if (const FacePiece<D>& piece = complex.pieces[arm.piece]; piece.area > 0)
-            narrowed[arm.piece] = std::min(1.0, grid.spread(piece.axis, complex.index.index(piece.face)[piece.axis]) /
-                                                    (arm.resistance * piece.area));
-    const auto is_void = [&](const PartOrCell& side) { return side.exists() && at.voids.is_void(site_of(complex, side)); };
-    std::vector<std::array<double, D>> sum(complex.parts(), std::array<double, D>{});
-    std::vector<std::array<int, D>> count(complex.parts(), std::array<int, D>{});
-    for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
-        const FacePiece<D>& piece = complex.pieces[k];
-        if (!(piece.area > 0) || !piece.low.exists() || !piece.high.exists())
-            continue;
-        const auto edge = along.find(static_cast<std::int32_t>(k));
-        if (edge == along.end() && (is_void(piece.low) || is_void(piece.high)))
-            continue;
-        const Index<D> f = complex.index.index(piece.face);
-        const double way = grid.dx() * grid.spread(piece.axis, f[piece.axis]);
-        double momentum = value(piece.low) - value(piece.high);
-        if (!flow.remainder.empty())
-            momentum += at.coupling.density * (at.edges.edge_of_piece[k] >= 0
-                                                   ? flow.remainder.edges[at.edges.edge_of_piece[k]]
-                                                   : face_length(grid, piece.axis, f) * flow.remainder.faces(piece.axis, f));
-        const double u =
-            edge != along.end() ? edge->second : narrowed[k] * momentum / (way * at.coupling.density);
-        for (const PartOrCell& side : {piece.low, piece.high})
-            if (side.is_part()) {
-                sum[side.number()][piece.axis] += u * u;
-                ++count[side.number()][piece.axis];
-            }
-    }
-    std::vector<double> square(count_sites(complex), 0.0);
-    for (int part = 0; part < complex.parts(); ++part)
-        for (int axis = 0; axis < D; ++axis)
-            if (count[part][axis] > 0)
-                square[part] += sum[part][axis] / count[part][axis];
-    return square;
-}
 
 template <int D>
 VoidSolve<D>::VoidSolve(const Model<D>& model, const Instant<D>& old, Placed<D>& there, double dt)
@@ -505,8 +452,6 @@ bool VoidSolve<D>::any() const
            std::any_of(was_void_.begin(), was_void_.end(), [](char c) { return c; });
 }
 
-template std::vector<double> squares_of_speed<2>(const Placed<2>&, const PotentialFlow<2>&, const std::vector<double>&);
-template std::vector<double> squares_of_speed<3>(const Placed<3>&, const PotentialFlow<3>&, const std::vector<double>&);
 template class VoidSolve<2>;
 template class VoidSolve<3>;
 

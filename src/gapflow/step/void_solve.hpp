@@ -97,7 +97,7 @@ private:
     std::vector<double> spent_;  ///< of each edge: the flux that is left of fluid in its voids where they give more, else 0
     std::vector<double> start_, momentum_; ///< of each edge as viscosity begins, and at the step's end; empty without
     std::vector<double> ideal_;            ///< of each part: potential as viscosity begins
-    std::vector<std::pair<long, int>> at_;                     ///< rows and numbers of the parts, by rows
+    std::vector<std::pair<long, int>> at_; ///< rows and numbers of the parts, by rows
     std::vector<std::vector<std::pair<int, Twist<D>>>> walls_; ///< K of each part
     std::vector<std::vector<std::size_t>> edges_of_;           ///< of each part
 };

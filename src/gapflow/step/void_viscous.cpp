@@ -100,14 +100,13 @@ private:
     PotentialFlow<D>& flow_;
 };
 
-constexpr double least_stream = 1e-6;    // share of a way without fluid: an edge has a momentum
+constexpr double least_stream = 1e-6;   // share of a way without fluid: an edge has a momentum
 constexpr int most_viscous_rounds = 40; // half of them all parts at once
 constexpr int most_levels = 4;          // sweeps over rows that are filled beside each other: any potential is a gauge
 
 /// Potentials of rows that are filled, such that the remainder along the edges that were voids' has no divergence there.
 template <int D>
-void level_filled(const std::vector<std::pair<VoidEdge<D>, double>>& joined,
-                  const std::vector<long>& filled, Ways<D>& ways)
+void level_filled(const std::vector<std::pair<VoidEdge<D>, double>>& joined, const std::vector<long>& filled, Ways<D>& ways)
 {
     for (int sweep = 0; sweep < most_levels; ++sweep)
         for (const long row : filled) {
@@ -193,8 +192,8 @@ void change_viscous_voids(const Model<D>& model, const std::vector<RigidBody<D>>
                 for (int end = 0; end < 2; ++end)
                     if (const Index<D> f = model.grid.cell_of_key(row) + end * step<D>(axis);
                         !is_inner(model.grid, axis, f) && at.coupling.system.conductance(axis, f) > 0)
-                        flow.remainder.faces(axis, f) = (end ? -1 : 1) * ways.potential(row) /
-                                                        (at.coupling.density * face_length(model.grid, axis, f));
+                        flow.remainder.faces(axis, f) =
+                            (end ? -1 : 1) * ways.potential(row) / (at.coupling.density * face_length(model.grid, axis, f));
         for (std::size_t e = 0; e < std::min(shut.size(), at.edges.edges.size()); ++e)
             if (shut[e] && at.edges.edges[e].conductance > 0)
                 flow.remainder.edges[e] = -ways.drop(at.edges.edges[e]) / at.coupling.density;

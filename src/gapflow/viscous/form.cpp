@@ -32,23 +32,6 @@ double RowList::value(int row, std::span<const double> x) const
 }
 
 template <int D>
-ViscousForm<D> ViscousForm<D>::filled(const std::vector<double>& share) const
-{
-    ViscousForm<D> form = *this;
-    for (std::int64_t row = 0; row < squares.rows(); ++row) {
-        double least = row_face[row] >= 0 ? share[row_face[row]] : 1;
-        for (std::int64_t t = squares.end[row]; t < squares.end[row + 1] && row_face[row] < 0; ++t)
-            if (squares.column[t] < velocities())
-                least = std::min(least, share[squares.column[t]]);
-        form.squares.weight[row] *= least;
-    }
-    for (std::size_t k = 0; k < turning_face.size(); ++k)
-        if (turning_face[k] >= 0)
-            form.rotation.weight[k] *= share[turning_face[k]];
-    return form;
-}
-
-template <int D>
 std::vector<double> ViscousForm<D>::with_derived(std::span<const double> x) const
 {
     std::vector<double> all(all_columns());

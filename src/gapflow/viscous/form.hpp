@@ -70,9 +70,9 @@ struct ViscousForm {
     int solids = 0;
     SquareSum squares; ///< no weight is negative
     std::array<std::int64_t, 2>
-        gap_rows{};  ///< those of gaps in closed form, without derived columns: the first one, and the first one after them
+        gap_rows{}; ///< those of gaps in closed form, without derived columns: the first one, and the first one after them
     std::vector<std::int32_t> row_face, turning_face; ///< face of each row of `squares`, and of `rotation`; -1: none alone
-    RowList derived; ///< of columns
+    RowList derived;                                  ///< of columns
     WholeFaces whole;
     std::vector<FormElement> elements; ///< of the other faces with traces, 3D
     RowList beside;  ///< of each trace: the velocities of the faces that have it, by equal shares; for preconditioners

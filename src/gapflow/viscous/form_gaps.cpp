@@ -263,6 +263,25 @@ void FormBuilder<D>::add_gaps()
     }
 }
 
+template <int D>
+ViscousForm<D> ViscousForm<D>::filled(const std::vector<double>& share) const
+{
+    ViscousForm<D> form = *this;
+    for (std::int64_t row = 0; row < squares.rows(); ++row) {
+        double least = row_face[row] >= 0 ? share[row_face[row]] : 1;
+        for (std::int64_t t = squares.end[row]; t < squares.end[row + 1] && row_face[row] < 0; ++t)
+            if (squares.column[t] < velocities())
+                least = std::min(least, share[squares.column[t]]);
+        form.squares.weight[row] *= least;
+    }
+    for (std::size_t k = 0; k < turning_face.size(); ++k)
+        if (turning_face[k] >= 0)
+            form.rotation.weight[k] *= share[turning_face[k]];
+    return form;
+}
+
+template ViscousForm<2> ViscousForm<2>::filled(const std::vector<double>&) const;
+template ViscousForm<3> ViscousForm<3>::filled(const std::vector<double>&) const;
 template double FormBuilder<2>::pair_share(const std::array<std::int32_t, 2>&) const;
 template double FormBuilder<3>::pair_share(const std::array<std::int32_t, 2>&) const;
 template void FormBuilder<2>::find_gaps();

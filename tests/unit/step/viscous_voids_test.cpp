@@ -57,7 +57,8 @@ void expect_to_hold_and_lift(double viscosity)
             const GapState gap = only_gap(simulation.gaps());
             EXPECT_NEAR(gap.pressure_max, 0, 1e-12);
             if (share < 1) {
-                EXPECT_NEAR(gap.contact_force, (1 - share) * pressure_beyond, 0.02 * (1 - share) * pressure_beyond); // (friction)
+                EXPECT_NEAR(gap.contact_force, (1 - share) * pressure_beyond,
+                            0.02 * (1 - share) * pressure_beyond); // (friction)
                 EXPECT_NEAR(gap.void_volume, height, 1e-3 * height);
                 EXPECT_LT(std::abs(simulation.bodies()[0].twist[D - 1]), 1e-9); // it may slide
             } else {
@@ -157,13 +158,13 @@ struct MomentWithVoids {
         }
         std::vector<Twist<D>> twists = model.twists(model.bodies);
         twists[0].setConstant(0.3);
-        now.flow = flow_beside_voids(*now.placed, twists, exact,
-                                     remainder_of(*now.placed, on_faces<D>(model.grid, [](const Vec<D>& x) {
-                                                      Vec<D> u = Vec<D>::Zero();
-                                                      u[0] = std::sin(0.25 * std::numbers::pi * x[0]) * std::cos(0.5 * std::numbers::pi * x[1]);
-                                                      u[1] = -0.5 * std::cos(0.25 * std::numbers::pi * x[0]) * std::sin(0.5 * std::numbers::pi * x[1]);
-                                                      return u;
-                                                  })));
+        now.flow = flow_beside_voids(
+            *now.placed, twists, exact, remainder_of(*now.placed, on_faces<D>(model.grid, [](const Vec<D>& x) {
+                Vec<D> u = Vec<D>::Zero();
+                u[0] = std::sin(0.25 * std::numbers::pi * x[0]) * std::cos(0.5 * std::numbers::pi * x[1]);
+                u[1] = -0.5 * std::cos(0.25 * std::numbers::pi * x[0]) * std::sin(0.5 * std::numbers::pi * x[1]);
+                return u;
+            })));
         for (const VoidEdge<D>& edge : now.placed->voids.edges) {
             voids.momentum.push_back(0);
             for (const auto& [row, weight] : edge.rows)
@@ -242,7 +243,8 @@ TEST(ViscousVoids, ABearingCavitates)
     EXPECT_GT(only_gap(simulation.gaps()).void_volume, 0);
     const double load = std::hypot(simulation.fluid_wrenches()[0][0], simulation.fluid_wrenches()[0][1]);
     EXPECT_NEAR(load, std::hypot(1805.0, 2413.0), 0.03 * load);
-    EXPECT_NEAR(std::atan2(simulation.fluid_wrenches()[0][1], simulation.fluid_wrenches()[0][0]), std::atan2(2413.0, 1805.0), 0.05);
+    EXPECT_NEAR(std::atan2(simulation.fluid_wrenches()[0][1], simulation.fluid_wrenches()[0][0]), std::atan2(2413.0, 1805.0),
+                0.05);
 }
 
 // Rows that an edge of 1e7 times the conductance of a face joins: the solve of viscosity converges.
@@ -265,8 +267,7 @@ TEST(ViscousVoids, GainNoEnergy)
         Scene scene = viscous_block(2, 1.05 * pressure_beyond, viscosity);
         scene.bodies[0].free = {false, true, false, false, false, false};
         Simulation<2> simulation(scene, Communicator());
-        const double start = simulation.bodies()[0].pose.position[1],
-                     void_at_start = only_gap(simulation.gaps()).void_volume;
+        const double start = simulation.bodies()[0].pose.position[1], void_at_start = only_gap(simulation.gaps()).void_volume;
         double largest = 0, excess = 0;
         while (simulation.time() < 0.1) {
             const StepReport report = simulation.step(1);
