@@ -8,12 +8,13 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace gapflow {
 namespace {
 
-constexpr double penalty = 1e4;    // over what the row's narrowest edge resists with: rows that wide edges join are nearly one
-constexpr double narrowest = 1e-6; // of the largest of these parts: less would be round-off
+constexpr double row_penalty = 1e4;          // over what the row's own unknowns resist with
+constexpr double narrowest = 1e-6;           // of the largest of these parts: less would be round-off
 constexpr double solve_accuracy = 1e-13;     // of the square root of the energy
 constexpr double iteration_accuracy = 1e-11; // of conjugate gradients, likewise
 constexpr double round_off = 1e-9;           // of the same, where corrections no longer become smaller
@@ -30,8 +31,38 @@ constexpr int most_corrections = 60;
 /// round-off the penalty makes goes with them.
 template <int D>
 struct ViscousSolve<D>::Direct {
-    Vector penalty; ///< of each row's outflow
-    SparseCholesky factor;
+    Matrix system; ///< without the penalty
+    typename ViscousColumns<D>::Rows out;
+    std::vector<int> given{};
+    int edges = 0;
+    bool strong =
+        false; ///< over what the row's narrowest edge resists with: rows that wide edges join are nearly one, but slivers get round-off
+    Vector penalty{}; ///< of each row's outflow
+    SparseCholesky factor{};
+
+    void set_up()
+    {
+        const Vector diagonal = system.diagonal().cwiseAbs();
+        penalty.resize(out.rows());
+        for (int row = 0; row < out.rows(); ++row) {
+            double least = std::numeric_limits<double>::infinity(), largest = 0, sum = 0;
+            for (typename ViscousColumns<D>::Rows::InnerIterator entry(out, row); entry; ++entry)
+                if (entry.value() != 0) {
+                    const double response = entry.value() * entry.value() / diagonal[entry.col()];
+                    sum += response;
+                    largest = std::max(largest, response);
+                    if (entry.col() < edges)
+                        least = std::min(least, response);
+                }
+            const double response = strong ? std::max(std::min(least, largest), narrowest * largest) : sum;
+            penalty[row] = response > 0 ? row_penalty / response : 0.0;
+        }
+        for (const int row : given)
+            penalty[row] = 0;
+        const Matrix H = system + Matrix(Matrix(out.transpose()) * penalty.asDiagonal() * Matrix(out));
+        if (!factor.compute(H))
+            throw ComputationError("the viscous system is not positive definite");
+    }
 };
 
 template <int D>
@@ -63,24 +94,8 @@ void ViscousSolve<D>::set_up_direct(const std::vector<int>& given)
     Matrix H = free_.transpose() * (mass_ + factor_ * Matrix(columns_.rotation())) * free_;
     H += factor_ * Matrix(Matrix(rows.transpose()) * Matrix(rows));
     H += hold_;
-    const Vector diagonal = H.diagonal().cwiseAbs();
-    direct_->penalty.resize(out.rows());
-    for (int row = 0; row < out.rows(); ++row) {
-        double least = std::numeric_limits<double>::infinity(), largest = 0;
-        for (typename ViscousColumns<D>::Rows::InnerIterator entry(out, row); entry; ++entry)
-            if (entry.value() != 0) {
-                const double response = entry.value() * entry.value() / diagonal[entry.col()];
-                largest = std::max(largest, response);
-                if (entry.col() < columns_.edges())
-                    least = std::min(least, response);
-            }
-        direct_->penalty[row] = largest > 0 ? penalty / std::max(std::min(least, largest), narrowest * largest) : 0.0;
-    }
-    for (const int row : given)
-        direct_->penalty[row] = 0;
-    H += Matrix(Matrix(out.transpose()) * direct_->penalty.asDiagonal() * Matrix(out));
-    if (!direct_->factor.compute(H))
-        throw ComputationError("the viscous system is not positive definite");
+    *direct_ = Direct{std::move(H), out, given, columns_.edges()};
+    direct_->set_up();
 }
 
 template <int D>
@@ -228,6 +243,11 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
         if (moved <= solve_accuracy * whole ||
             (moved >= 0.5 * last && (moved <= round_off * whole || moved <= solve_accuracy * size(stage.y))))
             return stage; // of a steady flow all changes are round-off
+        if (stage.iterations == most_corrections && !direct_->strong) {
+            direct_->strong = true;
+            direct_->set_up();
+            return solve_direct(base, load, rows);
+        }
         if (stage.iterations == most_corrections)
             fail(stage.iterations);
         last = moved;
