@@ -182,29 +182,16 @@ void check_voids_of_parts(const Values& v, const Scene& scene)
                  "this version runs gap.model = \"parts\" with dry contact or cavitation in fluid that only bodies set moving",
                  "leave it out, or leave out gap.contact and fluid.vapour_pressure, or write gap.model = \"film\"");
     };
+    if (scene.follow)
+        refuse("domain.follow");
     if (scene.fluid_velocity != Triple{})
         refuse("fluid.velocity");
     if (scene.pressure_gradient || scene.mean_velocity)
         refuse(scene.pressure_gradient ? "fluid.pressure_gradient" : "fluid.mean_velocity");
-    if (scene.follow)
-        refuse("domain.follow");
     for (int side = 0; side < 2 * scene.dimension; ++side)
         if (const SideScene::Kind kind = scene.sides[side].kind;
             kind == SideScene::Kind::inflow || kind == SideScene::Kind::pressure)
             refuse("domain.sides." + side_names[side]);
-}
-
-/// What viscous fluid on parts does not have yet.
-void check_viscosity_of_parts(const Values& v, const Scene& scene)
-{
-    const auto refuse = [&](const std::string& key, const std::string& what, const std::string& remedy) {
-        v.refuse(key, "this version runs gap.model = \"parts\" with viscosity without " + what, remedy);
-    };
-    const auto gaps = gaps_of(scene);
-    if (scene.vapour_pressure)
-        refuse("fluid.vapour_pressure", "cavitation", "leave it out, or write gap.model = \"film\"");
-    if (std::any_of(gaps.begin(), gaps.end(), [](const GapScene* gap) { return gap->contact == GapScene::Contact::dry; }))
-        refuse("gap.contact", "dry contact", "write \"wet\", or gap.model = \"film\"");
 }
 
 /// What runs with parts do not have yet.
@@ -213,8 +200,6 @@ void check_parts(const Values& v, Purpose purpose, const Scene& scene)
     if (!scene.parts || !(purpose == Purpose::run || (purpose == Purpose::check && scene.end > 0)))
         return;
     const std::string remedy = "leave it out, or write gap.model = \"film\"";
-    if (scene.viscosity > 0)
-        check_viscosity_of_parts(v, scene);
     for (int side = 0; side < 2 * scene.dimension; ++side)
         if (scene.fluid_velocity[side / 2] != 0 && scene.sides[side].kind == SideScene::Kind::wall)
             v.refuse("fluid.velocity",

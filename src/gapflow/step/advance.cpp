@@ -191,12 +191,12 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
         UnknownVector<D> outflow = outflow_of_edges(there, remainder);
         add_to(star.outflow, outflow);
         add_to(outflow, outflow_of_faces(there, remainder));
-        add(impulses_of_outflow(there.coupling, outflow), 1);
+        add(impulses_of_outflow(system, outflow), 1);
         add(impulse_of_remainder(there, remainder), -1);
     }
     if (sides.any()) {
         const UnknownVector<D> outflow = outflow_of_sides(there, sides);
-        add(impulses_of_outflow(there.coupling, outflow), 1);
+        add(impulses_of_outflow(system, outflow), 1);
         add_to(star.outflow, outflow);
     }
     if (sides.any() && !model.viscous()) {
@@ -315,7 +315,7 @@ void find_flow(const typename VoidSolve<D>::Solve& solve, VoidSolve<D>& voids, i
 /// Contacts again, after loads and viscosity have acted on the bodies.
 template <int D>
 void meet_again(const Model<D>& model, const ContactSet<D>& contacts, const std::vector<TwistMatrix<D>>& mass, const Step& step,
-                State<D>& state, StepReport& report, StageTimers& timers, Instant<D>& now)
+                VoidSolve<D>& voids, State<D>& state, StepReport& report, StageTimers& timers, Instant<D>& now)
 {
     Instant<D> start;
     start.impulse = fluid_impulse(*now.placed, now.flow);
@@ -323,17 +323,57 @@ void meet_again(const Model<D>& model, const ContactSet<D>& contacts, const std:
     Coupling<D>& system = now.placed->coupling;
     const ContactSet<D> first = std::exchange(state.contacts, contacts);
     state.pressure.impulse = {CellField<D>(model.grid), {}};
-    Intermediate<D> star = intermediate(model, start, *now.placed, system, now.stream, now.flow.remainder, now.flow.sides,
-                                        now.flow.twists, StepForces<D>{none, none}, state, step.dt);
-    Projected<D> end = project(model, system, std::move(star), mass, step, state, report, timers);
+    const std::vector<Twist<D>> forced = now.flow.twists;
+    const auto solve = [&](Coupling<D>& beside, const UnknownVector<D>& outflow, const std::vector<Twist<D>>& impulse) {
+        Intermediate<D> star = intermediate(model, start, *now.placed, beside, now.stream, now.flow.remainder, now.flow.sides,
+                                            forced, StepForces<D>{none, none}, state, step.dt);
+        add_outflow(beside, outflow, impulse, step.dt, state.bodies, star);
+        return project(model, beside, std::move(star), mass, step, state, report, timers);
+    };
+    if (voids.any())
+        voids.meet(solve, now);
+    else {
+        Projected<D> end = solve(system, {}, {});
+        now.flow.twists = std::move(end.twists);
+        now.flow.p = std::move(end.impulse);
+        leave_gauge(system, now.flow.twists, now.flow.p);
+        settle_weak_rows(*now.placed, now.flow);
+    }
     state.contacts.add_impulses(first);
-    now.flow.twists = std::move(end.twists);
-    now.flow.p = std::move(end.impulse);
-    leave_gauge(system, now.flow.twists, now.flow.p);
-    settle_weak_rows(*now.placed, now.flow);
     const std::vector<Twist<D>> impulse = fluid_impulse(*now.placed, now.flow);
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         state.wrenches[b] -= (impulse[b] - start.impulse[b]) / step.dt;
+}
+
+/// Loads, viscosity and contacts, with the voids that hold at the end.
+template <int D>
+void end_with_viscosity(const Model<D>& model, const ContactSet<D>& contacts, const std::vector<TwistMatrix<D>>& mass,
+                        const std::vector<Twist<D>>& loads, const Step& step, VoidSolve<D>& voids, State<D>& state,
+                        StepReport& report, StageTimers& timers, Instant<D>& now)
+{
+    const bool possible = !now.placed->voids.parts.empty();
+    const PotentialFlow<D> ideal = now.flow;
+    const ContactSet<D> met = state.contacts;
+    const std::vector<Twist<D>> wrenches = state.wrenches;
+    if (possible)
+        voids.begin_viscosity(ideal);
+    for (int round = 0;; ++round) {
+        {
+            const auto timer = timers.measure("viscosity");
+            ViscousVoids<D> beside = possible ? voids.beside() : ViscousVoids<D>{};
+            with_viscosity(model, mass, loads, step, state, report, now, possible ? &beside : nullptr);
+            voids.take(beside);
+        }
+        if (!contacts.empty())
+            meet_again(model, contacts, mass, step, voids, state, report, timers, now);
+        if (!possible || !voids.turn(now.flow, round))
+            break;
+        now.flow = ideal;
+        state.contacts = met;
+        state.wrenches = wrenches;
+    }
+    if (voids.any())
+        now.displaced.clear(); // they do not know voids
 }
 
 /// Share of the energy that the work of a pass may miss.
@@ -425,9 +465,7 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
     state.steps = step.number;
     state.wrenches = fluid_wrenches(model, old, now, forces, state.bodies, state.drive, step.start + 0.5 * step.dt, step.dt);
     if (model.viscous())
-        timed("viscosity", [&] { with_viscosity(model, mass, loads, step, state, report, now); });
-    if (model.viscous() && !contacts.empty())
-        meet_again(model, contacts, mass, step, state, report, timers, now);
+        end_with_viscosity(model, contacts, mass, loads, step, voids, state, report, timers, now);
     finish_bodies(model, moved_by<D>(now.flow.twists, stream_twist<D>(now.stream)), step, state);
     FluidVelocity<D> velocity = face_velocities(now);
     state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, model.grid_velocity, step.dt);

@@ -225,7 +225,7 @@ void find_forces(Instant<D>& instant)
         for (std::size_t e = 0; e < own.size(); ++e)
             instant.energy += 0.5 * at.coupling.density * own[e] * through[e];
     }
-    if (at.voids.any()) { // L p + K V is what flows into voids
+    if (at.voids.any() || (rotational && !at.voids.parts.empty())) { // L p + K V is what flows into voids, or did
         const UnknownVector<D> out = net_outflow(instant, face_velocities(instant));
         const Grid<D>& grid = *at.coupling.grid;
         double sum = 0;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace gapflow {
@@ -80,6 +81,44 @@ EdgesOfParts<D> edges_of_parts(const Grid<D>& grid, const Coupling<D>& coupling,
     return result;
 }
 
+/// The edges of voids are edges of the complex, but carry nothing there.
+template <int D>
+void leave_void_edges(Placed<D>& at)
+{
+    EdgesOfParts<D>& edges = at.edges;
+    std::vector<std::int32_t> of_mouth; // by numbers in Inertia::mouths
+    for (std::size_t e = 0; e < edges.edges.size(); ++e)
+        if (edges.edges[e].mouth >= 0)
+            of_mouth.push_back(static_cast<std::int32_t>(e));
+    std::vector<std::int32_t> number; // there, by numbers in Voids::mouths
+    for (const MouthArm<D>& mouth : at.voids.mouths)
+        number.push_back((number.empty() ? 0 : number.back()) + (mouth.resistance > 0));
+    for (VoidEdge<D>& edge : at.voids.edges) {
+        edge.edge = edge.mouth >= 0 ? of_mouth[number[edge.mouth] - 1] : edge.piece >= 0 ? edges.edge_of_piece[edge.piece] : -1;
+        if (edge.edge < 0) { // a face of the grid
+            edge.edge = static_cast<std::int32_t>(edges.edges.size());
+            edges.edges.push_back({0, edge.piece, -1, -1, static_cast<std::int32_t>(edges.rows.size()),
+                                   static_cast<std::int32_t>(edge.rows.size())});
+            for (std::size_t r = 0; r < edge.rows.size(); ++r) {
+                const PartOrCell side = side_of(at.complex, edge.sites[r]);
+                edges.rows.push_back({side.is_part() ? at.coupling.part_node[side.number()] : -1,
+                                      at.complex.index.index(at.complex.cell_of(side)), edge.rows[r].second});
+            }
+        }
+        edges.edges[edge.edge].conductance = 0;
+    }
+    const Grid<D>& grid = *at.coupling.grid; // and those through sides of the domain
+    const long cells = grid.cells().template cast<long>().prod();
+    std::set<long> empty;
+    for (const VoidPart<D>& part : at.voids.parts)
+        if (at.voids.is_void(part.part))
+            empty.insert(part.row);
+    for (SparseEdge<D>& edge : edges.edges)
+        for (const auto& row : edges.rows_of(edge))
+            if (empty.contains(row.node >= 0 ? cells + row.node : grid.key(grid.wrapped(row.cell))))
+                edge.conductance = 0;
+}
+
 /// What follows from the arms, the mouths, and their voids.
 template <int D>
 void couple(const Model<D>& model, const std::vector<Solid<D>>& solids, const std::vector<TwistMatrix<D>>& mass,
@@ -107,6 +146,8 @@ void couple(const Model<D>& model, const std::vector<Solid<D>>& solids, const st
         at.edges = edges_of_parts(model.grid, at.coupling, complex, inertia);
         at.edges.covered = covered_fluxes(at);
     }
+    if (at.rotational)
+        leave_void_edges(at);
 }
 
 } // namespace

@@ -73,11 +73,10 @@ Instant<D> start_with(const Model<D>& model, State<D>& state, StepReport& report
     const auto timer = timers.measure("solve");
     state.drive.flow = initial ? Vec<D>(Vec<D>::Zero()) : to_vec<D>(model.scene.fluid_velocity);
     const std::vector<Twist<D>> twists = moved_by<D>(model.twists(state.bodies), stream_twist<D>(-state.drive.flow));
+    const auto flow_of = at->voids.any() ? flow_beside_voids<D> : flow_of_twists<D>;
     PotentialFlow<D> flow =
-        at->voids.any() ? flow_beside_voids(*at, twists, solver_options(model.scene))
-                        : flow_of_twists(*at, twists, solver_options(model.scene),
-                                         initial ? remainder_of(*at, within_walls(model.grid, *initial)) : Remainder<D>{},
-                                         given_sides(model, 0.0));
+        flow_of(*at, twists, solver_options(model.scene),
+                initial ? remainder_of(*at, within_walls(model.grid, *initial)) : Remainder<D>{}, given_sides(model, 0.0));
     report.iterations = flow.iterations;
     report.solves = 1;
     if (initial) {

@@ -4,11 +4,14 @@
 
 #include "gapflow/grid/side_faces.hpp"
 #include "gapflow/step/covered.hpp"
+#include "gapflow/step/drained.hpp"
 #include "gapflow/step/inner_faces.hpp"
 #include "gapflow/step/remainder.hpp"
 #include "gapflow/step/viscous_solve.hpp"
 
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <utility>
 
 namespace gapflow {
@@ -104,13 +107,25 @@ class ViscousStages {
 public:
     using Vector = Eigen::VectorXd;
 
+    /// `beside`: of the whole time; `outflow` is that at the end of either stage.
     ViscousStages(const ViscousColumns<D>& columns, const ViscousSolve<D>& solve, const GivenPart& given, const Vector& start,
-                  const Vector& load)
+                  const Vector& load, const GivenRows& beside)
         : columns_(columns), solve_(solve), given_(given)
     {
-        const auto one = solve.solve(start, share_ * load - given.rest);
+        const auto rows = [&](const Vector& from) { // with the rows that keep their outflow
+            const Vector out = columns.outflow() * from;
+            GivenRows stage{share_ * beside.pressure, Vector::Zero(out.size())};
+            for (Eigen::Index k = 0; k < out.size(); ++k)
+                if (!std::isnan(beside.outflow[k]))
+                    stage.outflow[k] = beside.outflow[k] - out[k];
+            return stage;
+        };
+        const bool plain = beside.pressure.size() == 0;
+        const GivenRows first = plain ? GivenRows{} : rows(start);
+        const auto one = solve.solve(start, share_ * load - given.rest, nullptr, plain ? nullptr : &first);
         const Vector middle = start + again_ * (one.y - start);
-        const auto two = solve.solve(middle, share_ * load - given.rest, &one);
+        const GivenRows second = plain ? GivenRows{} : rows(middle);
+        const auto two = solve.solve(middle, share_ * load - given.rest, &one, plain ? nullptr : &second);
         first_ = one.y;
         end = two.y;
         pressure = again_ * one.pressure + two.pressure;
@@ -137,6 +152,7 @@ public:
         return again_ * of(first_) + of(end);
     }
     double work(const Vector& load) const { return share_ * load.dot(mean()); }
+    double work(const GivenRows& rows) const { return -share_ * rows.pressure.dot(columns_.outflow() * mean()); }
     /// 1/2 dt^2 sum_ij (b_i a_ij + b_j a_ji - b_i b_j) k_i k_j, k_i the rates of the stages: the mixed terms vanish.
     double lost() const
     {
@@ -220,16 +236,15 @@ Friction<D> friction_of(const ViscousForm<D>& form, const Eigen::VectorXd& x, co
 
 /// The flow after the stages, and what they do to the solids.
 template <int D>
-void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const ViscousStages<D>& stages, double factor,
-              const Remainder<D>& driven, PotentialFlow<D>& flow, ViscousStep<D>& result)
+void take_end(const Placed<D>& at, const ViscousForm<D>& form, const ViscousColumns<D>& columns, const ViscousStages<D>& stages,
+              double factor, const Remainder<D>& driven, PotentialFlow<D>& flow, ViscousStep<D>& result)
 {
     constexpr int T = twist_size<D>;
     const Coupling<D>& coupling = at.coupling;
     const Grid<D>& grid = *coupling.grid;
     const Eigen::VectorXd x = stages.mean_in_form();
     Eigen::VectorXd by_form(x.size());
-    at.viscous->product({x.data(), static_cast<std::size_t>(x.size())},
-                        {by_form.data(), static_cast<std::size_t>(by_form.size())});
+    form.product({x.data(), static_cast<std::size_t>(x.size())}, {by_form.data(), static_cast<std::size_t>(by_form.size())});
     by_form *= factor;
     const Eigen::VectorXd slowed = columns.by_fluxes(by_form) / coupling.density; // what the remainder loses along the edges
     PotentialFlow<D> by{{}, columns.to_unknowns(stages.pressure), 0, {}};
@@ -239,7 +254,7 @@ void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const Visco
     // On the solids - (B dV + K^T lambda) and friction on their walls and, by k, on the edges.
     result.impulse = fluid_impulse(at, PotentialFlow<D>{by.twists, by.p, 0, {}}); // B dV - K^T lambda
     const std::vector<Twist<D>> pressed = impulses(coupling, by.p), pushed = impulse_of_remainder(at, driven);
-    result.friction = friction_of(*at.viscous, x, by_form, factor, grid.dx());
+    result.friction = friction_of(form, x, by_form, factor, grid.dx());
     for (std::size_t s = 0; s < flow.twists.size(); ++s)
         result.impulse[s] =
             -(result.impulse[s] + 2 * pressed[s]) + result.friction.bulk[s] + result.friction.gaps[s] - pushed[s];
@@ -256,6 +271,8 @@ void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const Visco
         });
     for (std::size_t e = 0; e < flow.remainder.edges.size(); ++e)
         flow.remainder.edges[e] += driven.edges[e] - slowed[columns.edge_of(e)];
+    for (const VoidEdge<D>& edge : at.voids.edges) // momenta of their own
+        flow.remainder.edges[edge.edge] += slowed[columns.edge_of(edge.edge)] - driven.edges[edge.edge];
     for (long i = 0; i < flow.p.cells.size(); ++i)
         flow.p.cells.data()[i] -= by.p.cells.data()[i];
     flow.p.nodes -= by.p.nodes;
@@ -264,16 +281,54 @@ void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const Visco
         flow.twists[s] += by.twists[s];
 }
 
+/// The same rows with no pressure, and outflows of 0 where they are given.
+GivenRows no_given_rows(const GivenRows& rows)
+{
+    GivenRows none = rows;
+    none.pressure.setZero();
+    none.outflow *= 0;
+    return none;
+}
+
+/// Voids in the columns: their edges' momenta, and what they give to rows. The rows' outflow is NaN where it stays.
+template <int D>
+GivenRows take_voids(const Placed<D>& at, const ViscousColumns<D>& columns, const ViscousVoids<D>& voids,
+                     Eigen::VectorXd& start)
+{
+    for (std::size_t e = 0; e < voids.momentum.size(); ++e) {
+        const int edge = columns.edge_of(at.voids.edges[e].edge);
+        start[edge] = std::sqrt(columns.conductance(edge)) * voids.momentum[e];
+    }
+    GivenRows rows;
+    if (voids.given.empty() && voids.outflow.empty())
+        return rows;
+    rows.pressure = Eigen::VectorXd::Zero(columns.unknowns());
+    rows.outflow = Eigen::VectorXd::Constant(columns.unknowns(), std::numeric_limits<double>::quiet_NaN());
+    for (const auto& [row, gain] : voids.given)
+        rows.pressure[row] = -gain;
+    for (const auto& [row, outflow] : voids.outflow)
+        rows.outflow[row] = outflow;
+    return rows;
+}
+
 } // namespace
 
 template <int D>
 ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass, const ViscousLoads<D>& loads,
-                             double viscosity, double dt, double tolerance, PotentialFlow<D>& flow)
+                             double viscosity, double dt, double tolerance, PotentialFlow<D>& flow, ViscousVoids<D>* voids)
 {
     const double factor = viscosity * std::pow(at.coupling.grid->dx(), D - 2) * stage_share * dt,
                  volume = at.coupling.grid->size().prod();
-    const ViscousColumns<D> columns(at, *at.viscous);
-    const ViscousSolve<D> solve(at, columns, mass, factor, tolerance);
+    std::shared_ptr<const ViscousForm<D>> form = at.viscous;
+    if (voids && (!at.voids.edges.empty() || !voids->given.empty()))
+        form = std::make_shared<const ViscousForm<D>>(
+            drained_form(at, *form, ViscousColumns<D>(at, *form).filled(), voids->given));
+    const ViscousColumns<D> columns(at, *form);
+    std::vector<int> free_rows;
+    if (voids)
+        for (const auto& [row, gain] : voids->given)
+            free_rows.push_back(static_cast<int>(row));
+    const ViscousSolve<D> solve(at, columns, mass, factor, tolerance, viscous_method<D>, free_rows);
     Eigen::VectorXd load = Eigen::VectorXd::Zero(columns.columns());
     for (std::size_t s = 0; s < loads.impulse.size(); ++s)
         load.segment<twist_size<D>>(columns.twist(static_cast<int>(s))) = loads.impulse[s];
@@ -288,16 +343,19 @@ ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<
         given[axis] = 0;
     const FaceField<D> pushed = driven_velocity(*at.coupling.grid, at.coupling.density, given, loads.sides);
     load += push_of(at, columns, remainder_of(at, pushed));
-    const GivenPart sides = given_part(*at.viscous, columns, flow.sides, factor),
+    const GivenPart sides = given_part(*form, columns, flow.sides, factor),
                     nothing{Eigen::VectorXd::Zero(sides.columns.size()), Eigen::VectorXd::Zero(columns.columns())};
-    ViscousStages<D> stages(columns, solve, sides, columns.of_flow(flow), load);
+    Eigen::VectorXd start = columns.of_flow(flow);
+    const GivenRows rows = voids ? take_voids(at, columns, *voids, start) : GivenRows{};
+    ViscousStages<D> stages(columns, solve, sides, start, load, rows);
     if (!kept.empty()) { // the gradient with which the mean velocities are those
         const int n = static_cast<int>(kept.size());
         std::vector<ViscousStages<D>> answers;
         Eigen::MatrixXd response(n, n);
         Eigen::VectorXd missing(n);
         for (int k = 0; k < n; ++k) {
-            answers.emplace_back(columns, solve, nothing, Eigen::VectorXd::Zero(columns.columns()), kept[k].second);
+            answers.emplace_back(columns, solve, nothing, Eigen::VectorXd::Zero(columns.columns()), kept[k].second,
+                                 no_given_rows(rows));
             missing[k] = *loads.mean_velocity[kept[k].first] * volume - kept[k].second.dot(stages.end);
         }
         for (int i = 0; i < n; ++i)
@@ -315,14 +373,20 @@ ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<
     result.work = stages.work(load);
     const Remainder<D> driven =
         remainder_of(at, driven_velocity(*at.coupling.grid, at.coupling.density, Vec<D>(-dt * result.gradient), loads.sides));
-    take_end(at, columns, stages, factor, driven, flow, result);
+    take_end(at, *form, columns, stages, factor, driven, flow, result);
+    if (voids && rows.pressure.size() > 0)
+        voids->work = stages.work(rows);
+    if (voids)
+        for (std::size_t e = 0; e < voids->momentum.size(); ++e)
+            if (const int edge = columns.edge_of(at.voids.edges[e].edge); columns.conductance(edge) > 0)
+                voids->momentum[e] = stages.end[edge] / std::sqrt(columns.conductance(edge));
     return result;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void fill_covered<D>(const Placed<D>&, FaceField<D>&);                                                            \
     template ViscousStep<D> add_viscosity<D>(const Placed<D>&, const std::vector<TwistMatrix<D>>&, const ViscousLoads<D>&,     \
-                                             double, double, double, PotentialFlow<D>&);                                       \
+                                             double, double, double, PotentialFlow<D>&, ViscousVoids<D>*);                     \
     template Vec<D> mean_flux<D>(const Grid<D>&, const FaceField<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -4,6 +4,7 @@
 #include "gapflow/step/instant.hpp"
 
 #include <array>
+#include <map>
 #include <optional>
 
 namespace gapflow {
@@ -29,11 +30,21 @@ struct ViscousStep {
     int iterations = 0;    ///< of its solves
 };
 
+/// Voids in this: rows are numbers as in FluidRows.
+template <int D>
+struct ViscousVoids {
+    std::map<long, double> given;   ///< what the potential gains in rows whose pressure is given instead of their outflow
+    std::map<long, double> outflow; ///< of other rows: net outflow at the end
+    std::vector<double> momentum;   ///< of each edge of Placed::voids; after the step that at its end
+    double work = 0;                ///< of the given pressures, after the step
+};
+
 /// From the flow at a step's end without viscosity to that with it, twists included. The flow's gauge is kept.
-/// `mass`: of all solids, their own. Throws ComputationError where the solve does not converge.
+/// `mass`: of all solids, their own. `voids`: null: none. Throws ComputationError where the solve does not converge.
 template <int D>
 ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass, const ViscousLoads<D>& loads,
-                             double viscosity, double dt, double tolerance, PotentialFlow<D>& flow);
+                             double viscosity, double dt, double tolerance, PotentialFlow<D>& flow,
+                             ViscousVoids<D>* voids = nullptr);
 
 /// Mean velocity of fluid and solids over the domain, of the flow's fluxes.
 template <int D>

@@ -9,6 +9,11 @@
 #include <tuple>
 
 namespace gapflow {
+namespace {
+
+constexpr double least_filled = 1e-9; // share of a way, as of a dry gap that is closed: a void's edge has a velocity
+
+} // namespace
 
 template <int D>
 ViscousColumns<D>::ViscousColumns(const Placed<D>& at, const ViscousForm<D>& form)
@@ -55,6 +60,8 @@ void ViscousColumns<D>::find_edges()
                                    edges(), row.weight);
         conductance_.push_back(edge.conductance);
     }
+    for (const VoidEdge<D>& edge : at_.voids.edges)
+        conductance_[edge_of(edge.edge)] = edge.open();
     incidence_.resize(unknowns(), edges());
     incidence_.setFromTriplets(incidence.begin(), incidence.end());
     carried_.resize(edges());
@@ -74,8 +81,20 @@ void ViscousColumns<D>::find_faces()
     for (int k = 0; k < form_.velocities(); ++k)
         at_face[{form_.faces[k].axis, form_.faces[k].face}].push_back(k);
     through_.resize(form_.velocities());
+    filled_.assign(form_.velocities(), 1.0);
+    std::vector<double> filled(edges(), 1.0);            // of the way along each edge
+    std::map<std::pair<int, std::int32_t>, int> to_void; // edges of faces of the grid
+    std::map<std::int32_t, int> piece_to_void;
+    for (const VoidEdge<D>& edge : at_.voids.edges) {
+        filled[edge_of(edge.edge)] = std::max(least_filled, edge.fluid * edge.permeable);
+        if (edge.face >= 0)
+            to_void[{static_cast<int>(edge.face % D), complex.index(grid.cell_of_key(edge.face / D))}] = edge_of(edge.edge);
+        else if (edge.mouth < 0)
+            piece_to_void[edge.piece] = edge_of(edge.edge);
+    }
     const auto add = [&](int face, int edge, double share) {
-        through_[face].push_back({edge, share / (form_.faces[face].area * face_area)});
+        through_[face].push_back({edge, share / (filled[edge] * form_.faces[face].area * face_area)});
+        filled_[face] = std::min(filled_[face], filled[edge]);
     };
     // The face of the form that a piece is, or a part of.
     const auto face_of = [&](const FacePiece<D>& piece) {
@@ -108,13 +127,18 @@ void ViscousColumns<D>::find_faces()
         if (complex.joins_main(piece)) {
             if (const int edge = edge_of_face(piece.axis, complex.index.index(piece.face)); edge >= 0)
                 add(face, edge, piece.area / main_area[{piece.axis, piece.face}]);
+            else if (const auto found = piece_to_void.find(static_cast<std::int32_t>(k)); found != piece_to_void.end())
+                add(face, found->second, 1);
         } else if (const std::int32_t edge = at_.edges.edge_of_piece[k]; edge >= 0)
             add(face, edge_of(edge), 1);
     }
     for (int k = 0; k < form_.velocities(); ++k)
-        if (const FormFace<D>& face = form_.faces[k]; face.whole)
+        if (const FormFace<D>& face = form_.faces[k]; face.whole) {
             if (const int edge = edge_of_face(face.axis, complex.index.index(face.face)); edge >= 0)
                 add(k, edge, 1);
+            else if (const auto found = to_void.find({face.axis, face.face}); found != to_void.end())
+                add(k, found->second, 1);
+        }
     for (std::size_t e = 0; e < at_.edges.edges.size(); ++e)
         if (at_.edges.edges[e].mouth >= 0)
             for (const FaceAlong<D>& along : faces_along(at_, at_.edges.edges[e])) {

@@ -35,6 +35,8 @@ public:
     int edge_of_face(int axis, const Index<D>& f) const { return face_[axis][number(f)]; }
     int edge_of(std::size_t sparse_edge) const { return first_sparse_ + static_cast<int>(sparse_edge); }
     double conductance(int edge) const { return conductance_[edge]; }
+    /// Share of each face of the form that is filled with fluid, less than one beside voids.
+    const std::vector<double>& filled() const { return filled_; }
 
     /// D q + K V of all rows of the coupled system.
     const Rows& outflow() const { return outflow_; }
@@ -97,6 +99,7 @@ private:
     std::vector<double> conductance_;
     std::vector<std::vector<std::pair<int, Twist<D>>>> carried_; ///< of each edge: solid and k
     std::vector<std::vector<Through>> through_;                  ///< of each face of the form
+    std::vector<double> filled_;                                 ///< the same
     Eigen::SparseMatrix<double> incidence_;                      ///< unknowns x edges
     Rows outflow_, to_form_;
 };

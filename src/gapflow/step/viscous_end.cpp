@@ -30,7 +30,7 @@ std::vector<Twist<D>> take_loads(const Model<D>& model, const std::vector<RigidB
 
 template <int D>
 void with_viscosity(const Model<D>& model, const std::vector<TwistMatrix<D>>& mass, const std::vector<Twist<D>>& loads,
-                    const Step& step, State<D>& state, StepReport& report, Instant<D>& now)
+                    const Step& step, State<D>& state, StepReport& report, Instant<D>& now, ViscousVoids<D>* voids)
 {
     ViscousLoads<D> acting{loads};
     if (model.scene.pressure_gradient)
@@ -41,7 +41,7 @@ void with_viscosity(const Model<D>& model, const std::vector<TwistMatrix<D>>& ma
     for (int side = 0; side < 2 * D; ++side)
         acting.sides[side] = after[side] - before[side];
     const ViscousStep<D> viscous =
-        add_viscosity(*now.placed, mass, acting, model.scene.viscosity, step.dt, model.scene.tolerance, now.flow);
+        add_viscosity(*now.placed, mass, acting, model.scene.viscosity, step.dt, model.scene.tolerance, now.flow, voids);
     state.drive.gradient = viscous.gradient;
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         state.wrenches[b] += viscous.impulse[b] / step.dt;
@@ -58,7 +58,7 @@ void with_viscosity(const Model<D>& model, const std::vector<TwistMatrix<D>>& ma
                                                  const std::vector<TwistMatrix<D>>&, const Coupling<D>&, const Step&,          \
                                                  std::vector<Twist<D>>&);                                                      \
     template void with_viscosity<D>(const Model<D>&, const std::vector<TwistMatrix<D>>&, const std::vector<Twist<D>>&,         \
-                                    const Step&, State<D>&, StepReport&, Instant<D>&);
+                                    const Step&, State<D>&, StepReport&, Instant<D>&, ViscousVoids<D>*);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -2,7 +2,9 @@
 
 #include "gapflow/core/error.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace gapflow {
 namespace {
@@ -14,7 +16,8 @@ constexpr double loosest = 1e-4; // of each
 template <int D>
 ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns,
                                         const Eigen::SparseMatrix<double>& free, const Vector& diagonal,
-                                        const Eigen::SparseMatrix<double>& bodies, double tolerance)
+                                        const Eigen::SparseMatrix<double>& bodies, double tolerance,
+                                        const std::vector<int>& given)
     : columns_(columns), diagonal_(diagonal), tolerance_(tolerance),
       traces_(columns, free, diagonal.tail(diagonal.size() - columns.edges())),
       coupling_(std::make_unique<Coupling<D>>(at.coupling))
@@ -72,6 +75,13 @@ ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumn
     system.contact_resistance.resize(0);
     system.response = BodyResponse(system.mass, system.contact, system.contact_resistance);
     find_components(coupling);
+    if (!given.empty()) {
+        std::map<long, double> zero;
+        for (const int row : given)
+            zero[row] = 0;
+        UnknownVector<D> none{CellField<D>(grid), Eigen::VectorXd::Zero(system.nodes)};
+        take_rows_out(coupling, zero, &none);
+    }
     SolverOptions options;
     options.tolerance = tolerance;
     solver_ = std::make_unique<CoupledSolver<D>>(system, options);
@@ -81,7 +91,7 @@ ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumn
     const auto& out = columns.outflow();
     for (int row = 0; row < out.outerSize(); ++row)
         for (typename ViscousColumns<D>::Rows::InnerIterator entry(out, row); entry; ++entry)
-            if (entry.col() < fluid)
+            if (entry.col() < fluid && std::find(given.begin(), given.end(), row) == given.end())
                 entries.emplace_back(row, static_cast<int>(entry.col()), entry.value());
     const auto add = [&](long row, int b, const Twist<D>& flux) {
         for (int k = 0; k < twist_size<D>; ++k)
@@ -107,6 +117,22 @@ void ViscousProjection<D>::find_weighted(const Vector& residual, Vector& z) cons
     z.segment(edges, fluid - edges).setZero();
     if (const Eigen::Index n = residual.size() - fluid; n > 0)
         z.tail(n) = bodies_.solve(residual.tail(n));
+}
+
+template <int D>
+Eigen::VectorXd ViscousProjection<D>::with_outflow(const Vector& outflow) const
+{
+    Vector z = Vector::Zero(outflow_.cols());
+    if (outflow.isZero(0))
+        return z;
+    UnknownVector<D> p = columns_.to_unknowns(Vector::Zero(columns_.unknowns()));
+    const SolveReport report = solver_->solve(p, columns_.to_unknowns(outflow));
+    if (!report.converged)
+        throw ComputationError("the projection of the viscous solve did not converge: " + report.message);
+    const Vector push = held_ * columns_.of_unknowns(p);
+    find_weighted(push, z);
+    traces_.follow(Vector::Zero(push.size()), z);
+    return z;
 }
 
 template <int D>

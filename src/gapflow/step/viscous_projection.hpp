@@ -15,14 +15,18 @@ class ViscousProjection {
 public:
     using Vector = Eigen::VectorXd;
 
-    /// `diagonal`: of edges and traces; `bodies`: the block of the free bodies' admissible twists; `free`: columns of the unknowns.
+    /// `given`: rows whose pressure is, and not their outflow. `diagonal`: of edges and traces; `bodies`: the block of the free bodies' admissible twists; `free`: columns of the unknowns.
     /// `tolerance`: of the outflow that projections leave, over the largest that a residual has had.
     ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free,
-                      const Vector& diagonal, const Eigen::SparseMatrix<double>& bodies, double tolerance);
+                      const Vector& diagonal, const Eigen::SparseMatrix<double>& bodies, double tolerance,
+                      const std::vector<int>& given = {});
 
     /// z, and takes the pressure's part out of the residual of edges, traces and free twists. Returns the pressure. `largest`: outflow of the residuals so far, of
     /// which the projection's is a part.
     Vector project(Vector& residual, Vector& z, double& largest) const;
+
+    /// The least z, as G has it, with an outflow.
+    Vector with_outflow(const Vector& outflow) const;
 
 private:
     void find_weighted(const Vector& residual, Vector& z) const; ///< G^-1 r of edges and twists

@@ -10,11 +10,13 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace gapflow {
 namespace {
 
-constexpr double penalty = 1e4;          // over what the row's own unknowns resist with
+constexpr double row_penalty = 1e4;      // over what the row's own unknowns resist with
+constexpr double narrowest = 1e-6;       // of the largest of these parts: less would be round-off
 constexpr double solve_accuracy = 1e-13; // of the square root of the energy
 constexpr double round_off = 1e-9;       // of the same, where corrections no longer become smaller
 constexpr int most_corrections = 60;
@@ -46,8 +48,38 @@ TwistMatrix<D> positive(const TwistMatrix<D>& block, const Twist<D>& diagonal)
 /// round-off the penalty makes goes with them.
 template <int D>
 struct ViscousSolve<D>::Direct {
-    Vector penalty; ///< of each row's outflow
-    SparseCholesky factor;
+    Matrix system; ///< without the penalty
+    typename ViscousColumns<D>::Rows out;
+    std::vector<int> given{};
+    int edges = 0;
+    bool strong =
+        false; ///< over what the row's narrowest edge resists with: rows that wide edges join are nearly one, but slivers get round-off
+    Vector penalty{}; ///< of each row's outflow
+    SparseCholesky factor{};
+
+    void set_up()
+    {
+        const Vector diagonal = system.diagonal().cwiseAbs();
+        penalty.resize(out.rows());
+        for (int row = 0; row < out.rows(); ++row) {
+            double least = std::numeric_limits<double>::infinity(), largest = 0, sum = 0;
+            for (typename ViscousColumns<D>::Rows::InnerIterator entry(out, row); entry; ++entry)
+                if (entry.value() != 0) {
+                    const double response = entry.value() * entry.value() / diagonal[entry.col()];
+                    sum += response;
+                    largest = std::max(largest, response);
+                    if (entry.col() < edges)
+                        least = std::min(least, response);
+                }
+            const double response = strong ? std::max(std::min(least, largest), narrowest * largest) : sum;
+            penalty[row] = response > 0 ? row_penalty / response : 0.0;
+        }
+        for (const int row : given)
+            penalty[row] = 0;
+        const Matrix H = system + Matrix(Matrix(out.transpose()) * penalty.asDiagonal() * Matrix(out));
+        if (!factor.compute(H))
+            throw ComputationError("the viscous system is not positive definite");
+    }
 };
 
 template <int D>
@@ -61,40 +93,30 @@ struct ViscousSolve<D>::Projected {
 
 template <int D>
 ViscousSolve<D>::ViscousSolve(const Placed<D>& at, const ViscousColumns<D>& columns, const std::vector<TwistMatrix<D>>& mass,
-                              double factor, double tolerance, ViscousMethod method)
+                              double factor, double tolerance, ViscousMethod method, const std::vector<int>& given)
     : columns_(columns), factor_(factor), tolerance_(tolerance)
 {
     find_mass(at, mass);
     find_free(at, mass);
     if (method == ViscousMethod::direct)
-        set_up_direct();
+        set_up_direct(given);
     else
-        set_up_projected(at, mass);
+        set_up_projected(at, mass, given);
 }
 
 template <int D>
 ViscousSolve<D>::~ViscousSolve() = default;
 
 template <int D>
-void ViscousSolve<D>::set_up_direct()
+void ViscousSolve<D>::set_up_direct(const std::vector<int>& given)
 {
     direct_ = std::make_unique<Direct>();
     const typename ViscousColumns<D>::Rows rows = columns_.squares() * free_, out = columns_.outflow() * free_;
     Matrix H = free_.transpose() * (mass_ + factor_ * Matrix(columns_.rotation())) * free_;
     H += factor_ * Matrix(Matrix(rows.transpose()) * Matrix(rows));
     H += hold_;
-    const Vector diagonal = H.diagonal().cwiseAbs();
-    direct_->penalty.resize(out.rows());
-    for (int row = 0; row < out.rows(); ++row) {
-        double response = 0;
-        for (typename ViscousColumns<D>::Rows::InnerIterator entry(out, row); entry; ++entry)
-            if (entry.value() != 0)
-                response += entry.value() * entry.value() / diagonal[entry.col()];
-        direct_->penalty[row] = response > 0 ? penalty / response : 0.0;
-    }
-    H += Matrix(Matrix(out.transpose()) * direct_->penalty.asDiagonal() * Matrix(out));
-    if (!direct_->factor.compute(H))
-        throw ComputationError("the viscous system is not positive definite");
+    *direct_ = Direct{std::move(H), out, given, columns_.edges()};
+    direct_->set_up();
 }
 
 template <int D>
@@ -160,7 +182,8 @@ auto ViscousSolve<D>::body_block(const Placed<D>& at, const std::vector<TwistMat
 }
 
 template <int D>
-void ViscousSolve<D>::set_up_projected(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass)
+void ViscousSolve<D>::set_up_projected(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass,
+                                       const std::vector<int>& given)
 {
     Vector diagonal = factor_ * columns_.diagonal().head(columns_.twist(0));
     diagonal.head(columns_.edges()).array() += 1;
@@ -169,8 +192,8 @@ void ViscousSolve<D>::set_up_projected(const Placed<D>& at, const std::vector<Tw
     const Eigen::Index n = free_.cols() - columns_.twist(0);
     const Matrix motions = free_.rightCols(n);
     projected_ = std::make_unique<Projected>(Projected{
-        ViscousProjection<D>(at, columns_, free_, diagonal, body_block(at, mass), tolerance_), form, Rows(form.transpose()),
-        Matrix(Matrix(motions.transpose()) * mass_ * motions) + Matrix(hold_.bottomRightCorner(n, n))});
+        ViscousProjection<D>(at, columns_, free_, diagonal, body_block(at, mass), tolerance_, given), form,
+        Rows(form.transpose()), Matrix(Matrix(motions.transpose()) * mass_ * motions) + Matrix(hold_.bottomRightCorner(n, n))});
 }
 
 /// Own masses, D, what gaps add; edges have the energy 1/2 n^2.
@@ -241,19 +264,25 @@ double ViscousSolve<D>::size(const Vector& change) const
 }
 
 template <int D>
-typename ViscousSolve<D>::Stage ViscousSolve<D>::solve(const Vector& y_star, const Vector& load, const Stage* like) const
+typename ViscousSolve<D>::Stage ViscousSolve<D>::solve(const Vector& y_star, const Vector& load, const Stage* like,
+                                                       const GivenRows* rows) const
 {
     Vector base = y_star;
     base.segment(columns_.edges(), columns_.twist(0) - columns_.edges()).setZero();
-    return direct_ ? solve_direct(base, load) : solve_projected(base, load, like);
+    return direct_ ? solve_direct(base, load, rows) : solve_projected(base, load, like, rows);
 }
 
 template <int D>
-typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base, const Vector& load) const
+typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base, const Vector& load,
+                                                              const GivenRows* rows) const
 {
     const Vector& penalty_of = direct_->penalty;
     Vector d = Vector::Zero(base.size()), outflow = Vector::Zero(penalty_of.size());
     Stage stage{base, outflow};
+    if (rows) {
+        stage.pressure = rows->pressure;
+        outflow = -rows->outflow;
+    }
     double last = std::numeric_limits<double>::infinity();
     for (stage.iterations = 1;; ++stage.iterations) {
         const Vector multiplier = stage.pressure + penalty_of.cwiseProduct(outflow),
@@ -262,11 +291,18 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
         d += change;
         stage.y = base + d;
         outflow = columns_.outflow() * d;
+        if (rows)
+            outflow -= rows->outflow;
         stage.pressure += penalty_of.cwiseProduct(outflow);
         const double moved = size(change), whole = size(d);
         if (moved <= solve_accuracy * whole ||
             (moved >= 0.5 * last && (moved <= round_off * whole || moved <= solve_accuracy * size(stage.y))))
             return stage; // of a steady flow all changes are round-off
+        if (stage.iterations == most_corrections && !direct_->strong) {
+            direct_->strong = true;
+            direct_->set_up();
+            return solve_direct(base, load, rows);
+        }
         if (stage.iterations == most_corrections)
             fail(stage.iterations);
         last = moved;
@@ -276,8 +312,8 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
 /// Conjugate gradients (N. I. M. Gould, M. E. Hribar, J. Nocedal, SIAM J. Sci. Comput. 23 (2001) 1376-1395): each residual is projected, and its part that is a pressure's
 /// is taken out of it, so that what the projection's tolerance leaves does not grow.
 template <int D>
-typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& base, const Vector& load,
-                                                                 const Stage* like) const
+typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& base, const Vector& load, const Stage* like,
+                                                                 const GivenRows* rows) const
 {
     constexpr int most_iterations = 3000;
     const ViscousProjection<D>& projection = projected_->projection;
@@ -297,8 +333,14 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
         q.tail(n) += projected_->bodies * v.tail(n);
     };
     Stage stage{base, Vector::Zero(columns_.unknowns())};
+    Vector force = load - friction(base);
+    if (rows) {
+        x = projection.with_outflow(rows->outflow);
+        force -= columns_.outflow().transpose() * rows->pressure;
+        stage.pressure = rows->pressure;
+    }
     find_product(x);
-    Vector r = free_.transpose() * (load - friction(base)) - q;
+    Vector r = free_.transpose() * force - q;
     Vector z, p;
     // Relative to the kinetic energy, or where there is none to what is gained: slip along walls that nothing resists yet has residuals of any size.
     double rz = 0, largest_outflow = 0, scale = base.dot(mass_ * base);

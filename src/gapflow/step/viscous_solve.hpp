@@ -21,16 +21,22 @@ enum class ViscousMethod {
 template <int D>
 inline constexpr ViscousMethod viscous_method = D == 2 ? ViscousMethod::direct : ViscousMethod::projected;
 
+/// Of rows whose pressure is given instead of their outflow, those of voids.
+struct GivenRows {
+    Eigen::VectorXd pressure; ///< of all rows: multipliers of the given ones, else 0
+    Eigen::VectorXd outflow;  ///< by which that of the others is to change
+};
+
 template <int D>
 class ViscousSolve {
 public:
     using Vector = Eigen::VectorXd;
     using Matrix = Eigen::SparseMatrix<double>;
 
-    /// `mass`: of all solids, their own. `factor`: viscosity times time, by the length of a cell to the power D - 2.
+    /// `mass`: of all solids, their own. `factor`: viscosity times time, by the length of a cell to the power D - 2. `given`: rows whose pressure is.
     /// `tolerance`: of conjugate gradients, of the square root of the energy.
     ViscousSolve(const Placed<D>& at, const ViscousColumns<D>& columns, const std::vector<TwistMatrix<D>>& mass, double factor,
-                 double tolerance, ViscousMethod method = viscous_method<D>);
+                 double tolerance, ViscousMethod method = viscous_method<D>, const std::vector<int>& given = {});
     ~ViscousSolve();
 
     struct Stage {
@@ -39,8 +45,8 @@ public:
         int iterations = 0;
         Vector change{}; ///< of the unknowns; empty: not kept
     };
-    /// `like`: one whose change is a guess of this one's; null: none. Throws ComputationError where it does not converge.
-    Stage solve(const Vector& y_star, const Vector& load, const Stage* like = nullptr) const;
+    /// `like`: one whose change is a guess of this one's; null: none. `rows`: null: zeros. Throws ComputationError where it does not converge.
+    Stage solve(const Vector& y_star, const Vector& load, const Stage* like = nullptr, const GivenRows* rows = nullptr) const;
 
     /// T y: of edges and twists, 0 for traces.
     Vector inertia(const Vector& y) const { return mass_ * y; }
@@ -53,10 +59,10 @@ private:
 
     void find_mass(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass);
     void find_free(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass);
-    void set_up_direct();
-    void set_up_projected(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass);
-    Stage solve_direct(const Vector& base, const Vector& load) const;
-    Stage solve_projected(const Vector& base, const Vector& load, const Stage* like) const;
+    void set_up_direct(const std::vector<int>& given);
+    void set_up_projected(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass, const std::vector<int>& given);
+    Stage solve_direct(const Vector& base, const Vector& load, const GivenRows* rows) const;
+    Stage solve_projected(const Vector& base, const Vector& load, const Stage* like, const GivenRows* rows) const;
     /// The square root of twice the energy that a change has, with its dissipation.
     double size(const Vector& change) const;
     /// The system's block of the free bodies, in the unknowns `free_` maps; where bodies lose more of their mass than they have to the volume that planes see of

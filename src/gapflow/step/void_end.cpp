@@ -181,6 +181,11 @@ void fill_lost(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, c
         volume[site] = 0;
         filled[voids.find(site)->row] = 0;
     }
+    if (model.viscous()) {
+        change_viscous_voids(model, bodies, mass, std::move(volume), std::vector<double>(old.kept.drop), old);
+        find_forces(old);
+        return;
+    }
     for (std::size_t e = 0; e < voids.edges.size(); ++e) {
         flux.push_back(voids.edges[e].open() * old.kept.drop[e]);
         for (const auto& [row, weight] : voids.edges[e].rows)
@@ -222,7 +227,7 @@ UnknownVector<D> VoidSolve<D>::left_outflow(const Instant<D>& now) const
 template <int D>
 void VoidSolve<D>::give_pressure(const PotentialFlow<D>& flow, UnknownVector<D>& impulse) const
 {
-    const std::vector<double> now = squares_of_speed(there_, flow.p, drops(flow.p));
+    const std::vector<double> now = squares_of_speed(there_, flow, drops(flow.p));
     for (std::size_t k = 0; k < given_.size(); ++k) {
         const VoidPart<D>& part = there_.voids.parts[k];
         const double head = // as in the bound
@@ -308,6 +313,7 @@ void VoidSolve<D>::finish(const std::vector<RigidBody<D>>& bodies, const std::ve
     }
     for (std::size_t e = 0; e < head_.size(); ++e)
         flux.push_back(this->flux(e, now.flow.p));
+    const std::vector<double> own = flux;
     pass_on(volume, out, flux, now.kept.lost);
     std::map<long, double> filled; // and their outflow
     std::vector<double> kept(count_sites(there_.complex), 0.0);
@@ -316,7 +322,13 @@ void VoidSolve<D>::finish(const std::vector<RigidBody<D>>& bodies, const std::ve
             kept[parts[k].part] = volume[k];
         else if (was_void_[k])
             filled[parts[k].row] = out[k];
-    change_voids(model_, bodies, mass, std::move(kept), flux, filled, now);
+    if (model_.viscous()) {
+        for (std::size_t e = 0; e < flux.size(); ++e)
+            momentum_[e] +=
+                (flux[e] - own[e]) / (there_.voids.edges[e].permeable * there_.voids.edges[e].conductance); // a front
+        change_viscous_voids(model_, bodies, mass, std::move(kept), momentum_, now);
+    } else
+        change_voids(model_, bodies, mass, std::move(kept), flux, filled, now);
 }
 
 template <int D>
@@ -325,7 +337,7 @@ double speed_beside_voids(const Instant<D>& now)
     const Voids<D>& voids = now.placed->voids;
     if (!voids.any())
         return 0;
-    const std::vector<double> square = squares_of_speed(*now.placed, now.flow.p, now.kept.drop);
+    const std::vector<double> square = squares_of_speed(*now.placed, now.flow, now.kept.drop);
     double largest = 0;
     for (const VoidPart<D>& part : voids.parts)
         largest = std::max(largest, square[part.part]);

@@ -108,7 +108,7 @@ void require_for_voids(const Model<D>& model, bool circulation)
         throw InputError(file +
                          ": gap.model: this version runs \"parts\" with dry contact or cavitation on one rank; run it without "
                          "mpirun (threads work), or write gap.model = \"film\"");
-    if (circulation || model.driven())
+    if (!model.viscous() && (circulation || model.driven()))
         throw InputError(
             file + ": gap.model: this version runs \"parts\" with dry contact or cavitation in fluid without a velocity of "
                    "its own; leave out gap.contact and fluid.vapour_pressure");

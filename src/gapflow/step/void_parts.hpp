@@ -69,8 +69,10 @@ struct VoidEdge {
     std::vector<std::int32_t> sites; ///< of each row
     std::int32_t piece, mouth;       ///< of the complex, and number in Voids::mouths; -1: none
     long face = -1;                  ///< of the grid where it is neither: its key times D, and its axis
+    std::int32_t edge = -1;          ///< of Placed::edges, where there is circulation: without conductance there
+    double fluid = 1;                ///< share of the way that streams fill, with viscosity
 
-    double open() const { return permeable * conductance; }
+    double open() const { return fluid * permeable * conductance; }
 };
 
 template <int D>

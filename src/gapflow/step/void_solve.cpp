@@ -3,6 +3,8 @@
 #include "gapflow/coupling/fluid_rows.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/step/matching.hpp"
+#include "gapflow/step/own_edges.hpp"
+#include "gapflow/step/remainder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,59 +23,6 @@ constexpr double closed = 1e-6;                      // share of a gap below whi
 } // namespace
 
 template <int D>
-std::vector<double> squares_of_speed(const Placed<D>& at, const UnknownVector<D>& p, const std::vector<double>& drop)
-{
-    const Grid<D>& grid = *at.coupling.grid;
-    const Complex<D>& complex = at.complex;
-    const auto value = [&](const PartOrCell& side) {
-        const int node = side.is_part() ? at.node[side.number()] : -1;
-        return node >= 0 ? p.nodes[node] : p.cells(grid.wrapped(complex.index.index(complex.cell_of(side))));
-    };
-    std::map<std::int32_t, double> along; // by pieces
-    for (std::size_t e = 0; e < drop.size(); ++e)
-        if (const VoidEdge<D>& edge = at.voids.edges[e]; edge.piece >= 0)
-            along[edge.piece] = edge.conductance * drop[e] / edge.area;
-    std::vector<double> narrowed(complex.pieces.size(), 1.0); // flux over that of a duct with the face's area
-    for (const GapArm<D>& arm : at.voids.arms)
-        if (const FacePiece<D>& piece = complex.pieces[arm.piece]; piece.area > 0)
-            narrowed[arm.piece] = std::min(1.0, grid.spread(piece.axis, complex.index.index(piece.face)[piece.axis]) /
-                                                    (arm.resistance * piece.area));
-    const auto is_void = [&](const PartOrCell& side) { return side.exists() && at.voids.is_void(site_of(complex, side)); };
-    std::vector<std::array<double, D>> sum(complex.parts(), std::array<double, D>{});
-    std::vector<std::array<int, D>> count(complex.parts(), std::array<int, D>{});
-    for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
-        const FacePiece<D>& piece = complex.pieces[k];
-        if (!(piece.area > 0) || !piece.low.exists() || !piece.high.exists())
-            continue;
-        const auto edge = along.find(static_cast<std::int32_t>(k));
-        if (edge == along.end() && (is_void(piece.low) || is_void(piece.high)))
-            continue;
-        const double way = grid.dx() * grid.spread(piece.axis, complex.index.index(piece.face)[piece.axis]),
-                     u = edge != along.end()
-                             ? edge->second
-                             : narrowed[k] * (value(piece.low) - value(piece.high)) / (way * at.coupling.density);
-        for (const PartOrCell& side : {piece.low, piece.high})
-            if (side.is_part()) {
-                sum[side.number()][piece.axis] += u * u;
-                ++count[side.number()][piece.axis];
-            }
-    }
-    std::vector<double> square(count_sites(complex), 0.0);
-    for (int part = 0; part < complex.parts(); ++part)
-        for (int axis = 0; axis < D; ++axis)
-            if (count[part][axis] > 0)
-                square[part] += sum[part][axis] / count[part][axis];
-    return square;
-}
-
-template <int D>
-struct VoidSolve<D>::System {
-    Coupling<D> coupling;
-    UnknownVector<D> outflow;
-    std::vector<Twist<D>> impulse;
-};
-
-template <int D>
 VoidSolve<D>::VoidSolve(const Model<D>& model, const Instant<D>& old, Placed<D>& there, double dt)
     : model_(model), old_(old), there_(there), dt_(dt),
       cells_(model.grid.cells().template cast<long>().prod()), past_all_{CellField<D>(model.grid),
@@ -83,7 +32,7 @@ VoidSolve<D>::VoidSolve(const Model<D>& model, const Instant<D>& old, Placed<D>&
     const Voids<D>& voids = there.voids;
     const std::vector<MatchedPart> was = matched_parts(model.grid, there.complex, before.complex);
     const std::vector<std::int32_t> site = sites_before(model.grid, there.complex, before.complex);
-    const std::vector<double> square = squares_of_speed(before, old.flow.p, old.kept.drop);
+    const std::vector<double> square = squares_of_speed(before, old.flow, old.kept.drop);
     past_all_.cells = old.flow.p.cells;
     std::vector<char> matched(there.complex.parts(), 0);
     for (int part = 0; part < there.complex.parts(); ++part) {
@@ -164,6 +113,12 @@ void VoidSolve<D>::find_offsets(const std::vector<std::int32_t>& was)
         const int node = side.is_part() ? before.node[side.number()] : -1;
         return node >= 0 ? cells_ + node : model_.grid.key(model_.grid.wrapped(index.index(before.complex.cell_of(side))));
     };
+    Remainder<D> rest; // of the start, here
+    if (!old_.flow.remainder.empty() && !there_.voids.edges.empty()) {
+        rest = remainder_of(there_, old_.flow.remainder.faces);
+        add_own(rest.edges, carried_along_edges(before, own_along_edges(before, old_.flow.remainder), there_));
+    }
+    std::vector<double> momentum;
     for (const VoidEdge<D>& edge : there_.voids.edges) {
         Key key;
         bool from_void = false, is_known = true;
@@ -180,11 +135,15 @@ void VoidSolve<D>::find_offsets(const std::vector<std::int32_t>& was)
         }
         std::sort(key.begin(), key.end());
         const auto found = is_known ? known.find(key) : known.end();
-        const double drop = found != known.end()     ? found->second.drop / found->second.conductance
-                            : is_known && !from_void ? past
+        const double with_rest = past + (rest.empty() ? 0.0 : there_.coupling.density * rest.edges[edge.edge]),
+                     drop = found != known.end()     ? found->second.drop / found->second.conductance
+                            : is_known && !from_void ? with_rest
                                                      : 0.0;
+        momentum.push_back(drop);
         offset_.push_back(drop - past);
     }
+    if (model_.viscous())
+        find_streams(momentum);
 }
 
 /// Of an edge with `p`, voids at their bounds.
@@ -228,13 +187,16 @@ void VoidSolve<D>::put(UnknownVector<D>& p) const
 template <int D>
 void VoidSolve<D>::find_bounds(const PotentialFlow<D>* last)
 {
-    const std::vector<double> now = last ? squares_of_speed(there_, last->p, drops(last->p)) : std::vector<double>();
+    const std::vector<double> now = last ? squares_of_speed(there_, *last, drops(last->p)) : std::vector<double>();
     bound_.clear();
     for (std::size_t k = 0; k < past_.size(); ++k) {
         const VoidPart<D>& part = there_.voids.parts[k];
         const double square = last ? 0.5 * (square_[k] + now[part.part]) : square_[k];
-        bound_.push_back(past_[k] +
-                         dt_ * (part.least_pressure + (was_void_[k] ? 0.0 : 0.5 * there_.coupling.density * square)));
+        if (model_.viscous() && was_void_[k])
+            bound_.push_back(0); // its pressure acts with viscosity
+        else
+            bound_.push_back(past_[k] +
+                             dt_ * (part.least_pressure + (was_void_[k] ? 0.0 : 0.5 * there_.coupling.density * square)));
     }
 }
 
@@ -254,6 +216,8 @@ void VoidSolve<D>::find_heads(const UnknownVector<D>& p)
         if (!from_fluid)
             continue;
         if (!(into * drop > 0)) {
+            if (model_.viscous())
+                continue; // streams
             const double most = content(e) / dt_;
             if (edge.open() * std::abs(into * drop) > most) {
                 head_[e] = shut;
@@ -261,7 +225,7 @@ void VoidSolve<D>::find_heads(const UnknownVector<D>& p)
             }
             continue;
         }
-        const double R = 1 / edge.open(), way = edge.permeable * edge.area,
+        const double R = 1 / edge.open(), way = edge.fluid * edge.permeable * edge.area,
                      a = 0.5 * dt_ * there_.coupling.density / (way * way), size = std::abs(drop);
         head_[e] = 2 / (1 + std::sqrt(1 + 4 * a * size / (R * R)));
     }
@@ -295,6 +259,8 @@ bool VoidSolve<D>::leads_to_fluid(std::size_t e) const
 template <int D>
 double VoidSolve<D>::flux(std::size_t e, const UnknownVector<D>& p) const
 {
+    if (!momentum_.empty())
+        return there_.voids.edges[e].open() * momentum_[e];
     return head_[e] * there_.voids.edges[e].open() * drop(e, p, false).sum + spent_[e];
 }
 
@@ -350,13 +316,21 @@ Projected<D> VoidSolve<D>::find(const Solve& solve, const PotentialFlow<D>* last
 {
     find_bounds(last);
     UnknownVector<D> p = last ? last->p : past_all_;
+    if (model_.viscous())
+        given_ = was_void_;
     find_heads(p);
     turns_.assign(head_.size(), 0);
+    const UnknownVector<D> rest = rest_of(flow);
     for (int round = 0;; ++round) {
         const bool plain = !any();
         System system;
-        if (!plain)
+        if (!plain) {
             system = reduced();
+            for (std::size_t k = 0; k < given_.size(); ++k)
+                if (const long row = there_.voids.parts[k].row; given_[k])
+                    (row < cells_ ? system.outflow.cells(model_.grid.cell_of_key(row)) : system.outflow.nodes[row - cells_]) =
+                        -value(rest, row);
+        }
         Coupling<D>& coupling = plain ? there_.coupling : system.coupling;
         Projected<D> end = solve(coupling, system.outflow, system.impulse);
         flow.twists = end.twists;
@@ -366,6 +340,7 @@ Projected<D> VoidSolve<D>::find(const Solve& solve, const PotentialFlow<D>* last
             settle_weak_rows(there_, flow);
         else {
             put(flow.p);
+            add_to(system.outflow, rest);
             settle_weak_rows(there_.complex, coupling, system.outflow, flow);
         }
         settled_ = round < most_rounds;
@@ -382,10 +357,11 @@ template <int D>
 std::vector<double> VoidSolve<D>::outflows(const PotentialFlow<D>& flow, bool over_the_step) const
 {
     const FluidRows<D> L(there_.coupling);
+    const UnknownVector<D> rest = rest_of(flow);
     std::vector<double> out;
     for (std::size_t k = 0; k < given_.size(); ++k) {
         const long row = there_.voids.parts[k].row;
-        double sum = 0;
+        double sum = given_[k] ? value(rest, row) : 0.0;
         if (given_[k]) {
             L.for_each(row, [&](long other, double entry) { sum += entry * value(flow.p, other); });
             for (const auto& [solid, flux] : walls_[k]) // over the walls' way: given twists are those of the step
@@ -438,7 +414,7 @@ bool VoidSolve<D>::ways_turn(const UnknownVector<D>& p)
 template <int D>
 bool VoidSolve<D>::update(const PotentialFlow<D>& flow, bool at_once)
 {
-    if (at_once && ways_turn(flow.p))
+    if (at_once && momentum_.empty() && ways_turn(flow.p))
         return true;
     const std::vector<double> out = outflows(flow, false);
     double largest_excess = 0, largest_room = 0;
@@ -453,6 +429,8 @@ bool VoidSolve<D>::update(const PotentialFlow<D>& flow, bool at_once)
     const double accuracy = accuracy_over_tolerance * model_.scene.tolerance;
     int last = -1;
     for (std::size_t k = 0; k < given_.size(); ++k) {
+        if (was_void_[k] && model_.viscous() && momentum_.empty())
+            continue; // it may be filled with viscosity
         const bool wrong = given_[k]
                                ? room(k) < -accuracy * largest_room && !passes_on(static_cast<int>(k))
                                : known_[k] && value(flow.p, there_.voids.parts[k].row) - bound_[k] < -accuracy * largest_excess;
@@ -474,8 +452,6 @@ bool VoidSolve<D>::any() const
            std::any_of(was_void_.begin(), was_void_.end(), [](char c) { return c; });
 }
 
-template std::vector<double> squares_of_speed<2>(const Placed<2>&, const UnknownVector<2>&, const std::vector<double>&);
-template std::vector<double> squares_of_speed<3>(const Placed<3>&, const UnknownVector<3>&, const std::vector<double>&);
 template class VoidSolve<2>;
 template class VoidSolve<3>;
 

@@ -9,6 +9,7 @@
 
 #include "gapflow/step/instant.hpp"
 #include "gapflow/step/matching.hpp"
+#include "gapflow/step/viscosity.hpp"
 #include "gapflow/stepping/observation.hpp"
 #include "gapflow/stepping/unilateral.hpp"
 
@@ -29,6 +30,13 @@ public:
     using Solve = std::function<Projected<D>(Coupling<D>&, const UnknownVector<D>&, const std::vector<Twist<D>>&)>;
     /// Becomes `flow`. `last`: the flow of the pass before; null: none.
     Projected<D> find(const Solve& solve, const PotentialFlow<D>* last, PotentialFlow<D>& flow);
+    /// With viscosity find() leaves the voids' pressures to this: from the ideal flow, and in rounds from `beside()` what viscosity asks for, `take()` what it gives, where
+    /// bodies meet `meet()`, and `turn()`: whether other parts are voids at the end.
+    void begin_viscosity(const PotentialFlow<D>& ideal);
+    ViscousVoids<D> beside() const;
+    void take(const ViscousVoids<D>& voids) { momentum_ = voids.momentum; }
+    Projected<D> meet(const Solve& solve, Instant<D>& now);
+    bool turn(const PotentialFlow<D>& flow, int round);
     /// Whether there is a void at the step's start or end.
     bool any() const;
     /// Whether the conditions held within the most rounds of the last find().
@@ -41,7 +49,11 @@ public:
     void finish(const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass, Instant<D>& now);
 
 private:
-    struct System;
+    struct System {
+        Coupling<D> coupling;
+        UnknownVector<D> outflow;
+        std::vector<Twist<D>> impulse;
+    };
     System reduced() const;
     void find_offsets(const std::vector<std::int32_t>& was);
     void find_bounds(const PotentialFlow<D>* last);
@@ -62,6 +74,8 @@ private:
     double value(const UnknownVector<D>& p, long row) const;
     void put(UnknownVector<D>& p) const;
     int number(long row) const;
+    void find_streams(const std::vector<double>& momentum);
+    UnknownVector<D> rest_of(const PotentialFlow<D>& flow) const;
     bool passes_on(int part) const;
     void pass_on(std::vector<double>& volume, std::vector<double>& out, std::vector<double>& flux, double& lost) const;
     double weight_in(std::size_t edge, std::size_t part) const;
@@ -81,7 +95,9 @@ private:
     std::vector<double> offset_; ///< of each edge: what its drop is more than that of the potentials before the step
     std::vector<double> head_;   ///< of each edge: the share of its conductance that is left
     std::vector<double> spent_;  ///< of each edge: the flux that is left of fluid in its voids where they give more, else 0
-    std::vector<std::pair<long, int>> at_;                     ///< rows and numbers of the parts, by rows
+    std::vector<double> start_, momentum_; ///< of each edge as viscosity begins, and at the step's end; empty without
+    std::vector<double> ideal_;            ///< of each part: potential as viscosity begins
+    std::vector<std::pair<long, int>> at_; ///< rows and numbers of the parts, by rows
     std::vector<std::vector<std::pair<int, Twist<D>>>> walls_; ///< K of each part
     std::vector<std::vector<std::size_t>> edges_of_;           ///< of each part
 };
@@ -93,6 +109,12 @@ void change_voids(const Model<D>& model, const std::vector<RigidBody<D>>& bodies
                   std::vector<double> volume, const std::vector<double>& flux, const std::map<long, double>& filled,
                   Instant<D>& now);
 
+/// The same in viscous fluid, with the momenta of the edges that there were: each edge keeps its own, in voids or in the remainder.
+template <int D>
+void change_viscous_voids(const Model<D>& model, const std::vector<RigidBody<D>>& bodies,
+                          const std::vector<TwistMatrix<D>>& mass, std::vector<double> volume,
+                          const std::vector<double>& momentum, Instant<D>& now);
+
 /// Voids whose place is gone when the bodies have moved, by their sites: filled before. Collective.
 template <int D>
 void fill_lost(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
@@ -100,7 +122,7 @@ void fill_lost(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, c
 
 /// Mean over the axes' faces of the square of the velocity in each part. `drop`: of the potential along the edges of voids.
 template <int D>
-std::vector<double> squares_of_speed(const Placed<D>& at, const UnknownVector<D>& p, const std::vector<double>& drop);
+std::vector<double> squares_of_speed(const Placed<D>& at, const PotentialFlow<D>& flow, const std::vector<double>& drop);
 
 /// The largest speed of fluid in the gaps that can hold voids; 0 where there is none.
 template <int D>
@@ -114,7 +136,8 @@ PotentialFlow<D> flow_with_outflow(const Complex<D>& complex, Coupling<D> coupli
 
 /// The flow of given twists beside the voids of a placed complex, at whose rows p is 0. Collective.
 template <int D>
-PotentialFlow<D> flow_beside_voids(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options);
+PotentialFlow<D> flow_beside_voids(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options,
+                                   Remainder<D> remainder = {}, const GivenSides<D>& sides = {});
 
 /// Adds the parts of gaps to the pairs' states: voids, and the least and largest pressures of the last step.
 template <int D>

@@ -1,14 +1,20 @@
 // The flow beside voids at a scene's start, and the pairs' states.
+#include "gapflow/step/given_sides.hpp"
+#include "gapflow/step/inner_faces.hpp"
+#include "gapflow/step/remainder.hpp"
 #include "gapflow/step/void_solve.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 
 namespace gapflow {
 
 template <int D>
-PotentialFlow<D> flow_beside_voids(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options)
+PotentialFlow<D> flow_beside_voids(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options,
+                                   Remainder<D> remainder, const GivenSides<D>& sides)
 {
     Coupling<D> coupling = *at.voids.all;
     UnknownVector<D> outflow{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)};
@@ -17,7 +23,66 @@ PotentialFlow<D> flow_beside_voids(const Placed<D>& at, std::vector<Twist<D>> tw
         if (at.voids.is_void(part.part))
             given[part.row] = 0;
     take_rows_out(coupling, given, &outflow);
-    return flow_with_outflow<D>(at.complex, std::move(coupling), std::move(twists), std::move(outflow), options, nullptr);
+    if (!remainder.empty())
+        add_to(outflow, outflow_of_remainder(at, remainder));
+    if (sides.any())
+        add_to(outflow, outflow_of_sides(at, sides));
+    PotentialFlow<D> flow =
+        flow_with_outflow<D>(at.complex, std::move(coupling), std::move(twists), std::move(outflow), options, nullptr);
+    flow.remainder = std::move(remainder);
+    flow.sides = sides;
+    return flow;
+}
+
+template <int D>
+std::vector<double> squares_of_speed(const Placed<D>& at, const PotentialFlow<D>& flow, const std::vector<double>& drop)
+{
+    const UnknownVector<D>& p = flow.p;
+    const Grid<D>& grid = *at.coupling.grid;
+    const Complex<D>& complex = at.complex;
+    const auto value = [&](const PartOrCell& side) {
+        const int node = side.is_part() ? at.node[side.number()] : -1;
+        return node >= 0 ? p.nodes[node] : p.cells(grid.wrapped(complex.index.index(complex.cell_of(side))));
+    };
+    std::map<std::int32_t, double> along; // by pieces
+    for (std::size_t e = 0; e < drop.size(); ++e)
+        if (const VoidEdge<D>& edge = at.voids.edges[e]; edge.piece >= 0)
+            along[edge.piece] = edge.conductance * drop[e] / edge.area;
+    std::vector<double> narrowed(complex.pieces.size(), 1.0); // flux over that of a duct with the face's area
+    for (const GapArm<D>& arm : at.voids.arms)
+        if (const FacePiece<D>& piece = complex.pieces[arm.piece]; piece.area > 0)
+            narrowed[arm.piece] = std::min(1.0, grid.spread(piece.axis, complex.index.index(piece.face)[piece.axis]) /
+                                                    (arm.resistance * piece.area));
+    const auto is_void = [&](const PartOrCell& side) { return side.exists() && at.voids.is_void(site_of(complex, side)); };
+    std::vector<std::array<double, D>> sum(complex.parts(), std::array<double, D>{});
+    std::vector<std::array<int, D>> count(complex.parts(), std::array<int, D>{});
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
+        const FacePiece<D>& piece = complex.pieces[k];
+        if (!(piece.area > 0) || !piece.low.exists() || !piece.high.exists())
+            continue;
+        const auto edge = along.find(static_cast<std::int32_t>(k));
+        if (edge == along.end() && (is_void(piece.low) || is_void(piece.high)))
+            continue;
+        const Index<D> f = complex.index.index(piece.face);
+        const double way = grid.dx() * grid.spread(piece.axis, f[piece.axis]);
+        double momentum = value(piece.low) - value(piece.high);
+        if (!flow.remainder.empty())
+            momentum += at.coupling.density * (at.edges.edge_of_piece[k] >= 0
+                                                   ? flow.remainder.edges[at.edges.edge_of_piece[k]]
+                                                   : face_length(grid, piece.axis, f) * flow.remainder.faces(piece.axis, f));
+        const double u = edge != along.end() ? edge->second : narrowed[k] * momentum / (way * at.coupling.density);
+        for (const PartOrCell& side : {piece.low, piece.high})
+            if (side.is_part()) {
+                sum[side.number()][piece.axis] += u * u;
+                ++count[side.number()][piece.axis];
+            }
+    }
+    std::vector<double> square(count_sites(complex), 0.0);
+    for (int part = 0; part < complex.parts(); ++part)
+        for (int axis = 0; axis < D; ++axis)
+            if (count[part][axis] > 0)
+                square[part] += sum[part][axis] / count[part][axis];
+    return square;
 }
 
 template <int D>
@@ -75,8 +140,11 @@ void add_void_states(const Model<D>& model, const Placed<D>& at, const State<D>&
     }
 }
 
+template std::vector<double> squares_of_speed<2>(const Placed<2>&, const PotentialFlow<2>&, const std::vector<double>&);
+template std::vector<double> squares_of_speed<3>(const Placed<3>&, const PotentialFlow<3>&, const std::vector<double>&);
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template PotentialFlow<D> flow_beside_voids<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&);             \
+    template PotentialFlow<D> flow_beside_voids<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&,              \
+                                                   Remainder<D>, const GivenSides<D>&);                                        \
     template void add_void_states<D>(const Model<D>&, const Placed<D>&, const State<D>&, const PartVoids&,                     \
                                      std::vector<GapState>&);
 GAPFLOW_INSTANTIATE(2)

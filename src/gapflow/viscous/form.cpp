@@ -202,14 +202,17 @@ ViscousForm<D> FormBuilder<D>::build()
     find_gaps();
     moment_.resize(form_.faces.size());
     whole_element_.assign(form_.faces.size(), -1);
-    for (std::size_t face = 0; face < form_.faces.size(); ++face)
+    for (std::size_t face = 0; face < form_.faces.size(); ++face) {
         if (form_.faces[face].compact)
             add_compact(static_cast<std::int32_t>(face));
         else
             add_face(static_cast<std::int32_t>(face));
+        form_.row_face.resize(form_.squares.rows(), static_cast<std::int32_t>(face));
+    }
     for (int cell = 0; cell < form_.cells.count(); ++cell)
         add_along(cell);
     const std::int64_t first_of_gaps = form_.squares.rows();
+    form_.row_face.resize(first_of_gaps, -1);
     add_gaps();
     form_.gap_rows = {first_of_gaps, form_.squares.rows()};
     add_outflow();

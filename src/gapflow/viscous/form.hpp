@@ -70,8 +70,9 @@ struct ViscousForm {
     int solids = 0;
     SquareSum squares; ///< no weight is negative
     std::array<std::int64_t, 2>
-        gap_rows{};  ///< those of gaps in closed form, without derived columns: the first one, and the first one after them
-    RowList derived; ///< of columns
+        gap_rows{}; ///< those of gaps in closed form, without derived columns: the first one, and the first one after them
+    std::vector<std::int32_t> row_face, turning_face; ///< face of each row of `squares`, and of `rotation`; -1: none alone
+    RowList derived;                                  ///< of columns
     WholeFaces whole;
     std::vector<FormElement> elements; ///< of the other faces with traces, 3D
     RowList beside;  ///< of each trace: the velocities of the faces that have it, by equal shares; for preconditioners
@@ -96,6 +97,8 @@ struct ViscousForm {
     double energy(std::span<const double> x) const;
     /// All of it but the rotation, in `columns()` alone.
     SquareSum plain_squares() const;
+    /// The same where fluid fills a share of each face, of streams as thick as the gap: the weight of its rows. Velocities are those of the fluid.
+    ViscousForm filled(const std::vector<double>& share) const;
     /// Of its matrix, nearly: where a row has two derived columns of one column, the sum of their squares.
     std::vector<double> diagonal() const;
     /// The same of velocities that traces follow as `beside` says.

@@ -171,6 +171,7 @@ private:
     void add_gaps();
     std::vector<std::size_t> side_by_side();
     void add_turning();
+    std::int32_t face_at(const PeakDrag<D>& peak) const;
     void add_pair(const std::array<std::int32_t, 2>& solids, const PairMass<D>& mass);
     void add_outflow();
     void add_rotation();

@@ -99,6 +99,21 @@ void FormBuilder<D>::add_pair(const std::array<std::int32_t, 2>& solids, const P
     }
 }
 
+/// The face of a peak's gap that lies nearest to it; -1: none.
+template <int D>
+std::int32_t FormBuilder<D>::face_at(const PeakDrag<D>& peak) const
+{
+    std::int32_t nearest = -1;
+    double least = 0;
+    for (const GapDrag<D>& drag : gaps_.faces)
+        if (const std::int32_t face = face_of_piece_[drag.piece]; face >= 0 && drag.solid == peak.solid)
+            if (const double far = (form_.faces[face].centroid - peak.at).norm(); nearest < 0 || far < least) {
+                nearest = face;
+                least = far;
+            }
+    return nearest;
+}
+
 /// A gap's friction is that of the motion relative to the walls' mean rotation omega, 2 |e|^2. What of |grad u|^2 it lacks across a face of the area A, with the difference v
 /// of the velocities at its ends: (v^2 - (v - A omega)^2)/A. Of two pieces that meet at a vertex of the grid each has its share of the walls' difference.
 template <>
@@ -135,6 +150,7 @@ void FormBuilder<2>::add_turning()
                 relative.add(-1 - 3 * solid - 2, (axis == 0 ? 0.5 : -0.5) * face.area);
             form_.rotation.add(face.gap * face.length / face.area, difference);
             form_.rotation.add(-face.gap * face.length / face.area, relative);
+            form_.turning_face.resize(form_.rotation.rows(), piece);
         }
     }
 }
@@ -177,6 +193,7 @@ std::vector<std::size_t> FormBuilder<2>::side_by_side()
         rest.add(of_solid(from.solid, from.at, axis), 0.5 * share * (A + B) - A * (1 - 0.5 * z));
         rest.add(of_solid(to.solid, to.at, axis), 0.5 * share * (A + B) - 0.5 * A * z);
         form_.squares.add(form_.faces[a].gap / low.share * low.resistance, rest);
+        form_.row_face.resize(form_.squares.rows(), a);
     }
     return first;
 }
@@ -197,10 +214,12 @@ template <int D>
 void FormBuilder<D>::add_gaps()
 {
     constexpr int T = twist_size<D>;
+    form_.turning_face.resize(form_.rotation.rows(), -1);
     const std::vector<std::size_t> first = side_by_side();
     add_turning();
     struct Crossing {
         double conductance = 0;
+        std::int32_t face = -1;
         Row flux; ///< relative, and c V/R
     };
     std::vector<Crossing> crossings(first.size());
@@ -221,22 +240,48 @@ void FormBuilder<D>::add_gaps()
         }
         if (!(form.resistance > 0)) {
             add_pair(drag.solid, form.mass);
+            form_.row_face.resize(form_.squares.rows(), face);
             continue;
         }
         Crossing& crossing = crossings[first[k]];
         crossing.conductance += 1 / form.resistance;
+        crossing.face = face;
         crossing.flux.add(face, of.area);
         for (int j = 0; j < 2 * T; ++j)
             crossing.flux.add(-1 - T * drag.solid[j / T] - j % T, form.flux[j] / form.resistance - of.area * drag.motion[j]);
         add_pair(drag.solid, form.mass - form.flux * form.flux.transpose() / form.resistance);
+        form_.row_face.resize(form_.squares.rows(), face);
     }
     for (const Crossing& crossing : crossings)
-        if (crossing.conductance > 0)
+        if (crossing.conductance > 0) {
             form_.squares.add(1 / crossing.conductance, crossing.flux);
-    for (const PeakDrag<D>& peak : gaps_.peaks)
+            form_.row_face.resize(form_.squares.rows(), crossing.face);
+        }
+    for (const PeakDrag<D>& peak : gaps_.peaks) {
         add_pair(peak.solid, pair_share(peak.solid) * peak.mass);
+        form_.row_face.resize(form_.squares.rows(), face_at(peak));
+    }
 }
 
+template <int D>
+ViscousForm<D> ViscousForm<D>::filled(const std::vector<double>& share) const
+{
+    ViscousForm<D> form = *this;
+    for (std::int64_t row = 0; row < squares.rows(); ++row) {
+        double least = row_face[row] >= 0 ? share[row_face[row]] : 1;
+        for (std::int64_t t = squares.end[row]; t < squares.end[row + 1] && row_face[row] < 0; ++t)
+            if (squares.column[t] < velocities())
+                least = std::min(least, share[squares.column[t]]);
+        form.squares.weight[row] *= least;
+    }
+    for (std::size_t k = 0; k < turning_face.size(); ++k)
+        if (turning_face[k] >= 0)
+            form.rotation.weight[k] *= share[turning_face[k]];
+    return form;
+}
+
+template ViscousForm<2> ViscousForm<2>::filled(const std::vector<double>&) const;
+template ViscousForm<3> ViscousForm<3>::filled(const std::vector<double>&) const;
 template double FormBuilder<2>::pair_share(const std::array<std::int32_t, 2>&) const;
 template double FormBuilder<3>::pair_share(const std::array<std::int32_t, 2>&) const;
 template void FormBuilder<2>::find_gaps();
