@@ -231,9 +231,11 @@ private:
         return found;
     }
 
-    /// A node is moved to another distance from the gap's end: by how much of the way that is. For flow across the end the way is shorter by what it passes of this
-    /// distance, for flow along the end by none of it: ways that lead more along it than across have at most twice what the move has along them. With the first alone
-    /// a gap that ends at an edge askew to the grid lets fluid along the edge as freely as a hundred gaps do.
+    /// Square of the cosine of a way with the direction across the gap's end from which it counts as leading across. With 0.09 a gap that is closed behind an edge
+    /// askew to the grid lets fluid along the edge (a wedge in a slot of 20 degrees: -17 % in its mass), with 0.5 square plates turned by 30 degrees err by 2.4 %.
+    static constexpr double least_across = 0.35;
+    /// A node is moved to another distance from the gap's end: by how much of the way that is. For flow across the end the way is shorter by all that it passes of
+    /// this distance, for flow along the end by none of it.
     template <class Place>
     static typename Place::Scalar share_of_way(const Place& way, const Vec<D>& moved)
     {
@@ -243,7 +245,7 @@ private:
             return share;
         const Vec<D> still = values_of<D>(way);
         const double cosine = still.dot(moved) / (still.norm() * std::max(moved.norm(), parameters.least_stretch));
-        return share / std::max(cosine * cosine, 0.5);
+        return share / std::max(cosine * cosine, least_across);
     }
 
     /// In 2D, where a corner is nearest to a piece: the faces on which the piece ends; of one that ends on a mouth's line the face on its side of that; else

@@ -71,11 +71,7 @@ template <int D>
 Eigen::MatrixXd mass_in_planes(const Grid<D>& grid, Scene<D>& scene)
 {
     put_into_planes(grid, scene.solids);
-    const Complex<D> complex = build_complex<D>(grid, scene.solids);
-    const Inertia<D> inertia = find_inertia<D>(grid, complex, find_gap_arms<D>(grid, scene.solids, complex),
-                                               find_mouth_arms<D>(grid, scene.solids, complex));
-    const std::vector<TwistMatrix<D>> mass(scene.solids.size(), TwistMatrix<D>::Identity());
-    return direct_added_mass(couple_parts<D>(grid, scene.solids, mass, 1.0, complex, inertia));
+    return mass_on_parts(grid, scene.solids);
 }
 
 // A facet in a plane of the grid is covered as a box's side is; a layer of no thickness beside it would be fluid of the gap. In the plane and in space.

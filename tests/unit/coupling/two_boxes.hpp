@@ -26,15 +26,22 @@ inline Scene<2> two_boxes(const Grid<2>& grid, const std::array<Pose<2>, 2>& at)
     return scene;
 }
 
+/// At density 1.
+template <int D>
+Eigen::MatrixXd mass_on_parts(const Grid<D>& grid, const std::vector<Solid<D>>& solids)
+{
+    const Complex<D> complex = build_complex<D>(grid, solids);
+    const Inertia<D> inertia =
+        find_inertia<D>(grid, complex, find_gap_arms<D>(grid, solids, complex), find_mouth_arms<D>(grid, solids, complex));
+    const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
+    return direct_added_mass(couple_parts<D>(grid, solids, mass, 1.0, complex, inertia));
+}
+
 /// By twists in radii of the boxes, over the mass of the fluid that one displaces.
 inline Eigen::MatrixXd mass_of_boxes(const Grid<2>& grid, const std::vector<Solid<2>>& solids)
 {
     const double dx = grid.dx();
-    const Complex<2> complex = build_complex<2>(grid, solids);
-    const Inertia<2> inertia =
-        find_inertia<2>(grid, complex, find_gap_arms<2>(grid, solids, complex), find_mouth_arms<2>(grid, solids, complex));
-    const std::vector<TwistMatrix<2>> mass(solids.size(), TwistMatrix<2>::Identity());
-    Eigen::MatrixXd M = direct_added_mass(couple_parts<2>(grid, solids, mass, 1.0, complex, inertia));
+    Eigen::MatrixXd M = mass_on_parts(grid, solids);
     for (const int spin : {2, 5}) {
         M.row(spin) /= 8 * dx;
         M.col(spin) /= 8 * dx;
