@@ -13,7 +13,7 @@ template <int D>
 FaceField<D> vortex_impulse(const Grid<D>& grid, const FaceField<D>& flux, const FaceField<D>& remainder, double dt);
 
 /// Where the grid goes along an axis with a body, and all of the fluid's motion and all other bodies stay where they are in the world, the remainder changes at the
-/// places of the grid. Of the force on this body (theory of the step, "A grid that follows"):
+/// places of the grid. Of the force on this body (theory of the step, "A step", grids that follow):
 template <int D>
 struct ForceOfGrid {
     double of_remainder; ///< by the vorticity of the remainder
