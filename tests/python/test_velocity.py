@@ -107,7 +107,6 @@ def test_values_that_are_no_velocity_are_refused(velocity, message):
 
 @pytest.mark.parametrize("changes, message", [
     ({"gap.model": "film"}, "gap.model: a velocity of the fluid at the start needs \"parts\""),
-    ({"domain.follow": "disk"} | {f"domain.sides.{side}": "far" for side in ("x_low", "x_high", "y_low", "y_high")}, "domain.follow"),
     ({"fluid.pressure_gradient": [1, 0]}, "nothing drives the mean flow"),
     ({"domain.sides.x_low": {"inflow": [1, 0]}, "domain.sides.x_high": "open"}, "domain.sides.x_low"),
 ])
