@@ -1,6 +1,6 @@
 // Voids in gaps of viscous fluid on parts: dry contact holds and lets go at the exact pull, cavitation bounds the pressure, and the energy is that of the work done.
+#include "dry_block.hpp"
 #include "parts_run.hpp"
-#include "scenes.hpp"
 
 #include "gapflow/step/remainder.hpp"
 #include "gapflow/step/viscosity.hpp"
@@ -15,51 +15,29 @@
 namespace gapflow {
 namespace {
 
-constexpr double pressure_beyond = 10, height = 1e-4;
-
-// A block of mass 1 and facing area 1 on the dry floor of a tank with an open top under pressure 10, pulled up, in viscous fluid.
 Scene viscous_block(int dimension, double pull, double viscosity)
 {
-    Scene scene = box_of_fluid(dimension, 16, SideScene::Kind::wall);
-    scene.size = dimension == 2 ? Triple{4, 2, 0} : Triple{3, 3, 1.5};
-    scene.cells = dimension == 2 ? std::array<int, 3>{32, 16, 1} : std::array<int, 3>{12, 12, 6};
-    scene.sides[2 * dimension - 1].kind = SideScene::Kind::open;
-    scene.reference_pressure = pressure_beyond;
+    Scene scene = dry_block(dimension, pull);
+    if (dimension == 3)
+        scene.cells = {12, 12, 6};
     scene.viscosity = viscosity;
-    scene.gap.contact = GapScene::Contact::dry;
-    scene.contact.thickness = height;
-    scene.max_step = 2e-3;
-    BodyScene box = body("block", BodyScene::ShapeKind::box,
-                         dimension == 2 ? Triple{2.013, 0.25 + height, 0} : Triple{1.513, 1.49, 0.25 + height});
-    box.size = dimension == 2 ? Triple{1, 0.5, 0} : Triple{1, 1, 0.5};
-    box.density.reset();
-    box.mass = 1;
-    box.inertia = dimension == 2 ? std::vector<double>{0.1} : std::vector<double>{0.1, 0.1, 0.1};
-    box.force[dimension - 1] = pull;
-    scene.bodies = {box};
     return scene;
-}
-
-GapState only_gap(const std::vector<GapState>& gaps)
-{
-    EXPECT_EQ(gaps.size(), 1u);
-    return gaps.empty() ? GapState{} : gaps[0];
 }
 
 template <int D>
 void expect_to_hold_and_lift(double viscosity)
 {
     for (const double share : {0.99, 1.01}) {
-        Simulation<D> simulation(viscous_block(D, share * pressure_beyond, viscosity), Communicator());
-        EXPECT_NEAR(only_gap(simulation.gaps()).void_volume, height, 1e-6 * height);
+        Simulation<D> simulation(viscous_block(D, share * ambient, viscosity), Communicator());
+        EXPECT_NEAR(gap_of(simulation.gaps()).void_volume, thickness, 1e-6 * thickness);
         for (int i = 0; i < 3; ++i) {
             EXPECT_LT(simulation.step(1).divergence_max, 1e-6);
-            const GapState gap = only_gap(simulation.gaps());
+            const GapState gap = gap_of(simulation.gaps());
             EXPECT_NEAR(gap.pressure_max, 0, 1e-12);
             if (share < 1) {
-                EXPECT_NEAR(gap.contact_force, (1 - share) * pressure_beyond,
-                            0.02 * (1 - share) * pressure_beyond); // (friction)
-                EXPECT_NEAR(gap.void_volume, height, 1e-3 * height);
+                EXPECT_NEAR(gap.contact_force, (1 - share) * ambient,
+                            0.02 * (1 - share) * ambient); // (friction)
+                EXPECT_NEAR(gap.void_volume, thickness, 1e-3 * thickness);
                 EXPECT_LT(std::abs(simulation.bodies()[0].twist[D - 1]), 1e-9); // it may slide
             } else {
                 EXPECT_EQ(gap.contact_force, 0);
@@ -90,7 +68,7 @@ TEST(ViscousVoids, NoFluidDragsWhereThereIsNone)
     Simulation<2> simulation(scene, Communicator());
     for (int i = 0; i < 10; ++i)
         simulation.step(1);
-    EXPECT_NEAR(only_gap(simulation.gaps()).void_volume, height, 1e-3 * height);
+    EXPECT_NEAR(gap_of(simulation.gaps()).void_volume, thickness, 1e-3 * thickness);
     EXPECT_LT(std::abs(simulation.fluid_wrenches()[0][0]), 2);
 }
 
@@ -122,10 +100,10 @@ TEST(ViscousVoids, APulledWetGapCavitates)
         for (int i = 0; i < 6; ++i) {
             without.step(1);
             with.step(1);
-            const GapState gap = only_gap(with.gaps());
+            const GapState gap = gap_of(with.gaps());
             EXPECT_NEAR(gap.pressure_min, 0.2, 1e-3);
             EXPECT_GT(gap.void_volume, 0);
-            EXPECT_LT(only_gap(without.gaps()).pressure_min, -1);
+            EXPECT_LT(gap_of(without.gaps()).pressure_min, -1);
         }
         EXPECT_GT(with.bodies()[1].pose.position[1], without.bodies()[1].pose.position[1]);
     }
@@ -236,11 +214,11 @@ TEST(ViscousVoids, ABearingCavitates)
     Simulation<2> simulation(scene, Communicator());
     for (int i = 0; i < 30; ++i) {
         simulation.step(1e9);
-        const GapState gap = only_gap(simulation.gaps());
+        const GapState gap = gap_of(simulation.gaps());
         EXPECT_GE(gap.pressure_min, -1e-6 * gap.pressure_max);
         EXPECT_LT(gap.void_volume, 0.04);
     }
-    EXPECT_GT(only_gap(simulation.gaps()).void_volume, 0);
+    EXPECT_GT(gap_of(simulation.gaps()).void_volume, 0);
     const double load = std::hypot(simulation.fluid_wrenches()[0][0], simulation.fluid_wrenches()[0][1]);
     EXPECT_NEAR(load, std::hypot(1805.0, 2413.0), 0.03 * load);
     EXPECT_NEAR(std::atan2(simulation.fluid_wrenches()[0][1], simulation.fluid_wrenches()[0][0]), std::atan2(2413.0, 1805.0),
@@ -264,15 +242,15 @@ TEST(ViscousVoids, PlatesNearlyAlongALineOfTheGrid)
 TEST(ViscousVoids, GainNoEnergy)
 {
     for (const double viscosity : {1e-4, 1e-2, 1.0}) {
-        Scene scene = viscous_block(2, 1.05 * pressure_beyond, viscosity);
+        Scene scene = viscous_block(2, 1.05 * ambient, viscosity);
         scene.bodies[0].free = {false, true, false, false, false, false};
         Simulation<2> simulation(scene, Communicator());
-        const double start = simulation.bodies()[0].pose.position[1], void_at_start = only_gap(simulation.gaps()).void_volume;
+        const double start = simulation.bodies()[0].pose.position[1], void_at_start = gap_of(simulation.gaps()).void_volume;
         double largest = 0, excess = 0;
         while (simulation.time() < 0.1) {
             const StepReport report = simulation.step(1);
-            const double work = 1.05 * pressure_beyond * (simulation.bodies()[0].pose.position[1] - start) -
-                                pressure_beyond * (only_gap(simulation.gaps()).void_volume - void_at_start),
+            const double work = 1.05 * ambient * (simulation.bodies()[0].pose.position[1] - start) -
+                                ambient * (gap_of(simulation.gaps()).void_volume - void_at_start),
                          energy = report.energy_fluid + report.energy_bodies;
             largest = std::max(largest, energy);
             excess = std::max(excess, energy - work);
@@ -283,7 +261,7 @@ TEST(ViscousVoids, GainNoEnergy)
 
 TEST(ViscousVoids, GoOnFromAStoredState)
 {
-    expect_to_go_on<2>(viscous_block(2, 1.05 * pressure_beyond, 0.01));
+    expect_to_go_on<2>(viscous_block(2, 1.05 * ambient, 0.01));
 }
 
 } // namespace

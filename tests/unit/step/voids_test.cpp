@@ -1,5 +1,5 @@
 // Voids in gaps on parts: dry contact holds and lets go at the exact pull, cavitation bounds the pressure, fluid runs into voids and gains nothing by it.
-#include "scenes.hpp"
+#include "dry_block.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,41 +12,11 @@
 namespace gapflow {
 namespace {
 
-constexpr double ambient = 10, thickness = 1e-4;
-
-// A block of mass 1 and facing area 1 on the dry floor of a tank with an open top under pressure 10, pulled up.
-Scene block(int dimension, double pull)
-{
-    Scene scene = box_of_fluid(dimension, 16, SideScene::Kind::wall);
-    scene.size = dimension == 2 ? Triple{4, 2, 0} : Triple{3, 3, 1.5};
-    scene.cells = dimension == 2 ? std::array<int, 3>{32, 16, 1} : std::array<int, 3>{16, 16, 8};
-    scene.sides[2 * dimension - 1].kind = SideScene::Kind::open;
-    scene.reference_pressure = ambient;
-    scene.gap.contact = GapScene::Contact::dry;
-    scene.contact.thickness = thickness;
-    scene.max_step = 2e-3;
-    BodyScene box = body("block", BodyScene::ShapeKind::box,
-                         dimension == 2 ? Triple{2.013, 0.25 + thickness, 0} : Triple{1.513, 1.49, 0.25 + thickness});
-    box.size = dimension == 2 ? Triple{1, 0.5, 0} : Triple{1, 1, 0.5};
-    box.density.reset();
-    box.mass = 1;
-    box.inertia = dimension == 2 ? std::vector<double>{0.1} : std::vector<double>{0.1, 0.1, 0.1};
-    box.force[dimension - 1] = pull;
-    scene.bodies = {box};
-    return scene;
-}
-
-GapState gap_of(const std::vector<GapState>& gaps)
-{
-    EXPECT_EQ(gaps.size(), 1u);
-    return gaps.empty() ? GapState{} : gaps[0];
-}
-
 template <int D>
 void expect_to_hold()
 {
     constexpr double share = 0.99;
-    Simulation<D> simulation(block(D, share * ambient), Communicator());
+    Simulation<D> simulation(dry_block(D, share * ambient), Communicator());
     EXPECT_NEAR(gap_of(simulation.gaps()).void_volume, thickness, 1e-6 * thickness);
     for (int i = 0; i < 3; ++i) {
         EXPECT_LT(simulation.step(1).divergence_max, 1e-8);
@@ -73,7 +43,7 @@ TEST(PartVoids, ADryBlockFeelsAmbientPressureTimesArea)
 {
     std::vector<double> speed;
     for (const double share : {1.001, 1.01}) {
-        Scene scene = block(2, share * ambient);
+        Scene scene = dry_block(2, share * ambient);
         scene.max_step = 1e-4;
         Simulation<2> simulation(scene, Communicator());
         simulation.step(1);
@@ -90,7 +60,7 @@ TEST(PartVoids, ADryBlockFeelsAmbientPressureTimesArea)
 // The void grows with the gap.
 TEST(PartVoids, AVoidGrowsWithItsGap)
 {
-    Simulation<2> simulation(block(2, 1.2 * ambient), Communicator());
+    Simulation<2> simulation(dry_block(2, 1.2 * ambient), Communicator());
     double last = 0;
     for (int i = 0; i < 8; ++i) {
         last = simulation.bodies()[0].twist[1];
@@ -105,7 +75,7 @@ TEST(PartVoids, AVoidGrowsWithItsGap)
 
 TEST(PartVoids, GravityAddsItsHead)
 {
-    Scene scene = block(2, 0);
+    Scene scene = dry_block(2, 0);
     scene.gravity = {0, -2, 0};
     Simulation<2> simulation(scene, Communicator());
     for (int i = 0; i < 3; ++i)
@@ -118,7 +88,7 @@ TEST(PartVoids, GravityAddsItsHead)
 // A block held 0.01 above the floor over a void: water runs in at both ends towards Bernoulli's speed, sqrt(2 p0). The fluid outside starts in the mean time.
 TEST(PartVoids, AFloodFrontRunsAtBernoullisSpeed)
 {
-    Scene scene = block(2, 0);
+    Scene scene = dry_block(2, 0);
     scene.bodies[0].motion = BodyScene::Motion::prescribed;
     scene.bodies[0].force = {0, 0, 0};
     scene.bodies[0].motion_table = {"", {0, 0.005, 1}, {{2.013, 0.25 + thickness, 0}, {2.013, 0.26, 0}, {2.013, 0.26, 0}}};
@@ -191,7 +161,7 @@ TEST(PartVoids, NoneWhereThePressureIsHigher)
 // Kinetic energy, less the work of the pull and of the ambient pressure on the voids.
 TEST(PartVoids, GainNoEnergy)
 {
-    Scene scene = block(2, 1.05 * ambient);
+    Scene scene = dry_block(2, 1.05 * ambient);
     scene.bodies[0].free = {false, true, false, false, false, false};
     Simulation<2> simulation(scene, Communicator());
     const double start = simulation.bodies()[0].pose.position[1], void_at_start = gap_of(simulation.gaps()).void_volume;
@@ -256,7 +226,7 @@ TEST(PartVoids, OutliveTheirGap)
 {
     std::vector<double> speed, volume;
     for (const int n : {1, 2}) {
-        Scene scene = block(2, 6 * ambient);
+        Scene scene = dry_block(2, 6 * ambient);
         scene.cells = {32 * n, 16 * n, 1};
         scene.bodies[0].free = {false, true, false, false, false, false};
         Simulation<2> simulation(scene, Communicator());
@@ -315,12 +285,12 @@ TEST(PartVoids, GiveNoMoreFluidThanTheyHave)
 
 TEST(PartVoids, GoOnFromAStoredState)
 {
-    expect_to_go_on<2>(block(2, 1.05 * ambient));
+    expect_to_go_on<2>(dry_block(2, 1.05 * ambient));
 }
 
 TEST(PartVoids, GoOnFromAStoredStateBeyondGaps)
 {
-    Scene scene = block(2, 6 * ambient);
+    Scene scene = dry_block(2, 6 * ambient);
     scene.cells = {64, 32, 1};
     scene.max_step = 0.02;
     expect_to_go_on<2>(scene);
