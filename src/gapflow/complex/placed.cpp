@@ -1,6 +1,7 @@
 #include "gapflow/complex/placed.hpp"
 
 #include "gapflow/complex/complex.hpp"
+#include "gapflow/complex/facet_area.hpp"
 #include "gapflow/complex/facet_cut.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/complex/plane_poses.hpp"
@@ -61,12 +62,9 @@ void put_sides_into_planes(const GridPlanes<D>& planes, PlanesKind<D>& kind)
 template <int D>
 void put_ends_into_planes(const GridPlanes<D>& planes, RoundKind<D>& kind)
 {
-    int along = 0;
-    kind.axis.cwiseAbs().maxCoeff(&along);
-    const double reach = std::hypot(kind.half, kind.radius);
-    for (int axis = 0; axis < D; ++axis)
-        if (axis != along && !(std::abs(kind.axis[axis]) * reach < in_plane))
-            return;
+    const int along = axis_of<D>(kind.axis, std::hypot(kind.half, kind.radius));
+    if (along < 0)
+        return;
     kind.axis = (kind.axis[along] > 0 ? 1 : -1) * unit<D>(along);
     const double at = kind.centre[along];
     const auto low = plane_beside<D>(planes, along, at - kind.half), high = plane_beside<D>(planes, along, at + kind.half);
@@ -90,16 +88,8 @@ void cover_planes(const GridPlanes<D>& planes, bool inverse, FacetKind<D>& kind)
             if (std::any_of(facet.begin(), facet.end(), [&](int v) { return at[v][axis] != place; }) ||
                 plane_beside<D>(planes, axis, place) != place)
                 continue;
-            const Vec<D> way = at[facet[1]] - at[facet[0]];
-            double out; // positive where what the surface encloses is below
-            if constexpr (D == 2)
-                out = axis == 0 ? way[1] : -way[0];
-            else {
-                const int u = (axis + 1) % D, v = (axis + 2) % D;
-                const Vec<D> other = at[facet[2]] - at[facet[0]];
-                out = way[u] * other[v] - way[v] * other[u];
-            }
-            if ((out > 0) != inverse)
+            const bool enclosed_below = facet_area<D>(at, facet)[axis] > 0;
+            if (enclosed_below != inverse)
                 for (const int vertex : facet)
                     kind.vertices[vertex][axis] = place + place_unit;
         }

@@ -1,23 +1,12 @@
 #include "gapflow/complex/plane_poses.hpp"
 
+#include "gapflow/complex/facet_area.hpp"
 #include "gapflow/complex/parameters.hpp"
 
 #include <cmath>
 
 namespace gapflow {
 namespace {
-
-/// The axis along which a direction points as far as `reach` tells; -1: none.
-template <int D>
-int axis_of(const Vec<D>& normal, double reach)
-{
-    int along = 0;
-    normal.cwiseAbs().maxCoeff(&along);
-    for (int axis = 0; axis < D; ++axis)
-        if (axis != along && !(std::abs(normal[axis]) * reach < in_plane))
-            return -1;
-    return along;
-}
 
 Mat<2> turned_to(const Vec<2>& from, const Vec<2>& to)
 {
@@ -50,15 +39,9 @@ std::vector<Plane<D>> sides_of(const Shape<D>& shape)
         return sides;
     const SurfaceMesh<D> mesh = shape.display_mesh(0);
     for (const std::array<int, D>& facet : mesh.elements) {
-        const Vec<D>& x = mesh.vertices[facet[0]];
-        const Vec<D> way = mesh.vertices[facet[1]] - x;
-        Vec<D> normal;
-        if constexpr (D == 2)
-            normal = Vec<2>(way[1], -way[0]);
-        else
-            normal = way.cross(mesh.vertices[facet[2]] - x);
+        const Vec<D> normal = facet_area<D>(mesh.vertices, facet);
         if (const double length = normal.norm(); length > 0)
-            sides.push_back({normal / length, normal.dot(x) / length});
+            sides.push_back({normal / length, normal.dot(mesh.vertices[facet[0]]) / length});
     }
     return sides;
 }
@@ -103,6 +86,17 @@ Vec<D> way_into_planes(const std::vector<Plane<D>>& sides, double reach, const G
 } // namespace
 
 template <int D>
+int axis_of(const Vec<D>& normal, double reach)
+{
+    int along = 0;
+    normal.cwiseAbs().maxCoeff(&along);
+    for (int axis = 0; axis < D; ++axis)
+        if (axis != along && !(std::abs(normal[axis]) * reach < in_plane))
+            return -1;
+    return along;
+}
+
+template <int D>
 std::optional<double> plane_beside(const GridPlanes<D>& planes, int axis, double at)
 {
     const PlanePlaces& places = planes.place[axis];
@@ -134,6 +128,8 @@ void put_into_planes(const Grid<D>& grid, std::vector<Solid<D>>& solids)
     }
 }
 
+template int axis_of<2>(const Vec<2>&, double);
+template int axis_of<3>(const Vec<3>&, double);
 template std::optional<double> plane_beside(const GridPlanes<2>&, int, double);
 template std::optional<double> plane_beside(const GridPlanes<3>&, int, double);
 template void put_into_planes<2>(const Grid<2>&, std::vector<Solid<2>>&);

@@ -14,6 +14,10 @@ namespace gapflow {
 /// 1e-8 degrees have added masses that differ by 2e-3 from those at 0 and at 1e-7.
 inline constexpr double in_plane = 4e-9;
 
+/// The axis along which a direction points, as far as `reach` tells within in_plane; -1: none.
+template <int D>
+int axis_of(const Vec<D>& normal, double reach);
+
 /// The plane of the grid within in_plane of a place, in cells; also of those beyond the domain by whole lengths of it.
 template <int D>
 std::optional<double> plane_beside(const GridPlanes<D>& planes, int axis, double at);

@@ -1,5 +1,7 @@
 #include "gapflow/complex/surface_rate.hpp"
 
+#include "gapflow/complex/facet_area.hpp"
+
 #include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/parameters.hpp"
 
@@ -10,12 +12,7 @@ namespace gapflow {
 template <int D>
 Vec<D> facet_normal(const FacetKind<D>& kind, int facet)
 {
-    const auto& element = kind.surface->elements[facet];
-    const Vec<D> a = kind.vertices[element[1]] - kind.vertices[element[0]];
-    if constexpr (D == 2)
-        return Vec<2>(a[1], -a[0]).normalized();
-    else
-        return Vec<3>(a.cross(kind.vertices[element[2]] - kind.vertices[element[0]])).normalized();
+    return facet_area<D>(kind.vertices, kind.surface->elements[facet]).normalized();
 }
 
 double plane_of_rates(const BallKind<2>& disk, int d, double at)

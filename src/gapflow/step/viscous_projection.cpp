@@ -89,9 +89,12 @@ ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumn
     std::vector<Eigen::Triplet<double>> entries;
     const int fluid = columns.twist(0);
     const auto& out = columns.outflow();
+    std::vector<char> is_given(columns.unknowns(), 0);
+    for (const int row : given)
+        is_given[row] = 1;
     for (int row = 0; row < out.outerSize(); ++row)
         for (typename ViscousColumns<D>::Rows::InnerIterator entry(out, row); entry; ++entry)
-            if (entry.col() < fluid && std::find(given.begin(), given.end(), row) == given.end())
+            if (entry.col() < fluid && !is_given[row])
                 entries.emplace_back(row, static_cast<int>(entry.col()), entry.value());
     const auto add = [&](long row, int b, const Twist<D>& flux) {
         for (int k = 0; k < twist_size<D>; ++k)

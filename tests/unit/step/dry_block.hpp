@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace gapflow {
@@ -39,6 +40,25 @@ inline GapState gap_of(const std::vector<GapState>& gaps)
 {
     EXPECT_EQ(gaps.size(), 1u);
     return gaps.empty() ? GapState{} : gaps[0];
+}
+
+/// Of a scene whose first body is pulled up: by how much its kinetic energy, less the work of the pull and of the ambient pressure on the voids, exceeds that of the
+/// start at most until a time, over the largest energy.
+inline double largest_gain(const Scene& scene, double until)
+{
+    Simulation<2> simulation(scene, Communicator());
+    const double pull = scene.bodies[0].force[1], start = simulation.bodies()[0].pose.position[1],
+                 void_at_start = gap_of(simulation.gaps()).void_volume;
+    double largest = 0, excess = 0;
+    while (simulation.time() < until) {
+        const StepReport report = simulation.step(1);
+        const double work = pull * (simulation.bodies()[0].pose.position[1] - start) -
+                            ambient * (gap_of(simulation.gaps()).void_volume - void_at_start),
+                     energy = report.energy_fluid + report.energy_bodies;
+        largest = std::max(largest, energy);
+        excess = std::max(excess, energy - work);
+    }
+    return excess / largest;
 }
 
 } // namespace gapflow
