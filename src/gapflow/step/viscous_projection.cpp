@@ -123,16 +123,22 @@ void ViscousProjection<D>::find_weighted(const Vector& residual, Vector& z) cons
 }
 
 template <int D>
+Eigen::VectorXd ViscousProjection<D>::pressure_of(const Vector& outflow, double tolerance) const
+{
+    UnknownVector<D> p = columns_.to_unknowns(Vector::Zero(columns_.unknowns()));
+    const SolveReport report = solver_->solve(p, columns_.to_unknowns(outflow), 0.0, tolerance);
+    if (!report.converged)
+        throw ComputationError("the projection of the viscous solve did not converge: " + report.message);
+    return columns_.of_unknowns(p);
+}
+
+template <int D>
 Eigen::VectorXd ViscousProjection<D>::with_outflow(const Vector& outflow) const
 {
     Vector z = Vector::Zero(outflow_.cols());
     if (outflow.isZero(0))
         return z;
-    UnknownVector<D> p = columns_.to_unknowns(Vector::Zero(columns_.unknowns()));
-    const SolveReport report = solver_->solve(p, columns_.to_unknowns(outflow));
-    if (!report.converged)
-        throw ComputationError("the projection of the viscous solve did not converge: " + report.message);
-    const Vector push = held_ * columns_.of_unknowns(p);
+    const Vector push = held_ * pressure_of(outflow, tolerance_);
     find_weighted(push, z);
     traces_.follow(Vector::Zero(push.size()), z);
     return z;
@@ -147,12 +153,8 @@ Eigen::VectorXd ViscousProjection<D>::project(Vector& residual, Vector& z, doubl
     const Vector outflow = outflow_ * z;
     const double size = outflow.norm();
     largest = std::max(largest, size);
-    UnknownVector<D> p = columns_.to_unknowns(Vector::Zero(columns_.unknowns()));
-    const SolveReport report =
-        solver_->solve(p, columns_.to_unknowns(outflow), 0.0, std::min(loosest, tolerance_ * largest / std::max(size, 1e-300)));
-    if (!report.converged)
-        throw ComputationError("the projection of the viscous solve did not converge: " + report.message);
-    const Vector pressure = columns_.of_unknowns(p), held = held_ * pressure;
+    const Vector pressure = pressure_of(outflow, std::min(loosest, tolerance_ * largest / std::max(size, 1e-300))),
+                 held = held_ * pressure;
     residual -= held;
     whole -= held;
     find_weighted(whole, z);

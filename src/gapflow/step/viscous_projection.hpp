@@ -29,6 +29,7 @@ public:
     Vector with_outflow(const Vector& outflow) const;
 
 private:
+    Vector pressure_of(const Vector& outflow, double tolerance) const;
     void find_weighted(const Vector& residual, Vector& z) const; ///< G^-1 r of edges and twists
 
     const ViscousColumns<D>& columns_;
