@@ -9,7 +9,42 @@
 namespace gapflow {
 namespace {
 
-/// Layers of cells around those that are cut, solid, or beside a closed side.
+template <int D>
+bool is_closed(const Grid<D>& grid, int axis, int end)
+{
+    return grid.side(axis, end) == SideKind::wall;
+}
+
+/// The compact lattice reaches a closed side by columns of cells of which all are its own.
+template <int D>
+void open_columns_at_sides(const Grid<D>& grid, const DenseIndex<D>& index, std::vector<std::uint8_t>& layer)
+{
+    constexpr int L = viscous_parameters.layers;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (int axis = 0; axis < D; ++axis)
+            for (int end = 0; end < 2; ++end) {
+                if (!is_closed(grid, axis, end) || !has_wall_rows(grid, axis))
+                    continue;
+                Index<D> low = index.low, high = index.high();
+                (end ? low : high)[axis] = end ? high[axis] - 1 : low[axis] + 1;
+                const int step = (end ? -1 : 1) * index.stride[axis];
+                for_each_index<D>(low, high, [&](const Index<D>& c) {
+                    const int first = index(c);
+                    int own = 0;
+                    for (int k = 0; k < column_at_side; ++k)
+                        own += layer[first + k * step] >= L;
+                    if (own == 0 || own == column_at_side)
+                        return;
+                    changed = true;
+                    for (int k = 0; k < column_at_side; ++k)
+                        layer[first + k * step] = std::min<std::uint8_t>(layer[first + k * step], L - 1);
+                });
+            }
+    }
+}
+
+/// Layers of cells around those that are cut or solid, or beside a closed side that the compact lattice does not reach.
 template <int D>
 std::vector<std::uint8_t> find_layers(const Grid<D>& grid, const Complex<D>& complex)
 {
@@ -18,8 +53,8 @@ std::vector<std::uint8_t> find_layers(const Grid<D>& grid, const Complex<D>& com
     for_each_index<D>(index.low, index.high(), [&](const Index<D>& c) {
         bool near = complex.cell[index(c)] != Complex<D>::open;
         for (int axis = 0; axis < D; ++axis)
-            near = near || (c[axis] == 0 && grid.side(axis, 0) == SideKind::wall) ||
-                   (c[axis] == grid.cells()[axis] - 1 && grid.side(axis, 1) == SideKind::wall);
+            near = near || (is_closed(grid, axis, 0) && c[axis] == 0 && !has_wall_rows(grid, axis)) ||
+                   (is_closed(grid, axis, 1) && c[axis] == grid.cells()[axis] - 1 && !has_wall_rows(grid, axis));
         if (near)
             layer[index(c)] = 0;
     });
@@ -35,10 +70,17 @@ std::vector<std::uint8_t> find_layers(const Grid<D>& grid, const Complex<D>& com
             }
         });
     }
+    open_columns_at_sides(grid, index, layer);
     return layer;
 }
 
 } // namespace
+
+template <int D>
+bool has_wall_rows(const Grid<D>& grid, int axis)
+{
+    return grid.cells()[axis] >= column_at_side + 2; // two cells with rows of a side on either side
+}
 
 template <int D>
 FluidCells<D> find_fluid_cells(const Grid<D>& grid, const Complex<D>& complex)
@@ -76,6 +118,8 @@ FluidCells<D> find_fluid_cells(const Grid<D>& grid, const Complex<D>& complex)
     return cells;
 }
 
+template bool has_wall_rows(const Grid<2>&, int);
+template bool has_wall_rows(const Grid<3>&, int);
 template FluidCells<2> find_fluid_cells(const Grid<2>&, const Complex<2>&);
 template FluidCells<3> find_fluid_cells(const Grid<3>&, const Complex<3>&);
 

@@ -26,6 +26,12 @@ struct FluidCells {
     }
 };
 
+/// Cells of a column that ends at a closed side whose values the rows there have.
+inline constexpr int column_at_side = 4;
+/// Whether the compact lattice reaches the closed sides of an axis, with rows of its own beside them; else they have layers as solids have.
+template <int D>
+bool has_wall_rows(const Grid<D>& grid, int axis);
+
 template <int D>
 FluidCells<D> find_fluid_cells(const Grid<D>& grid, const Complex<D>& complex);
 

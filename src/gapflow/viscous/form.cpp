@@ -54,6 +54,7 @@ void ViscousForm<D>::product(std::span<const double> x, std::span<double> y, Roo
     find_derived(x, room.all);
     std::vector<double>& by = room.by;
     by.assign(room.all.size(), 0.0);
+    lattice.add_product(room.all, by);
     squares.add_product(room.all, by);
     whole.add_product(room.all, std::span<const double>(by).subspan(columns() + derived.rows()), by);
     for (int row = 0; row < derived.rows(); ++row)
@@ -94,6 +95,7 @@ SquareSum ViscousForm<D>::plain_squares() const
             add(row, squares.column[t], squares.factor[t]);
         sum.add(squares.weight[k], std::move(row));
     }
+    lattice.for_each_pair([&](std::int32_t a, std::int32_t b) { sum.add(1, {{a, 1}, {b, -1}}); });
     if (whole.count() == 0)
         return sum;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(unit_face().stiffness);
@@ -111,6 +113,10 @@ template <int D>
 std::vector<double> ViscousForm<D>::diagonal() const
 {
     std::vector<double> by(all_columns(), 0.0);
+    lattice.for_each_pair([&](std::int32_t a, std::int32_t b) {
+        ++by[a];
+        ++by[b];
+    });
     for (std::int64_t k = 0; k < squares.rows(); ++k)
         for (std::int64_t t = squares.end[k]; t < squares.end[k + 1]; ++t)
             by[squares.column[t]] += squares.weight[k] * squares.factor[t] * squares.factor[t];
@@ -139,6 +145,8 @@ std::vector<double> ViscousForm<D>::followed_diagonal(const std::vector<double>&
     }
     for (const auto& face : whole.columns)
         result[face[UnitFace::traces]] = unit_face().followed;
+    for (const auto& [face, other] : lattice.links)
+        result[face] += own[face];
     std::vector<double> sum(velocities(), 0.0);
     std::vector<std::int32_t> used;
     const auto add = [&](std::int32_t face, double value) {
@@ -202,6 +210,7 @@ ViscousForm<D> FormBuilder<D>::build()
     find_gaps();
     moment_.resize(form_.faces.size());
     whole_element_.assign(form_.faces.size(), -1);
+    find_lattice();
     for (std::size_t face = 0; face < form_.faces.size(); ++face) {
         if (form_.faces[face].compact)
             add_compact(static_cast<std::int32_t>(face));
@@ -300,33 +309,6 @@ Row FormBuilder<D>::of_point(const BorderPoint<D>& point, int component)
     Row row;
     row.add(new_trace(component, point.at), 1);
     return row;
-}
-
-template <int D>
-void FormBuilder<D>::add_compact(std::int32_t number)
-{
-    const FormFace<D>& face = form_.faces[number];
-    const Index<D> f = index_.index(face.face);
-    for (int a = 0; a < D; ++a)
-        for (int end = 0; end < 2 && a != face.axis; ++end) {
-            const double width = planes_.place[a][f[a] + 1] - planes_.place[a][f[a]], across = face.area / width;
-            if (is_closed_side(a, f[a] + end)) {
-                Row row = velocity(number);
-                row.add(of_side(a, f[a] + end, face.axis), -1);
-                form_.squares.add(face.length * across / (0.5 * width), row);
-                continue;
-            }
-            const Index<D> g = index_.wrapped(Index<D>(f + (end ? 1 : -1) * step<D>(a)));
-            const std::int32_t other =
-                index_.holds(g - std::max(0, g[face.axis] - index_.high()[face.axis] + 1) * step<D>(face.axis))
-                    ? whole_face_[face.axis][index_(g)]
-                    : -1;
-            if (other < 0)
-                continue;
-            // Half of it is that of the face beyond, by its link or by its element.
-            form_.squares.add(face.length * across / (width + planes_.place[a][g[a] + 1] - planes_.place[a][g[a]]),
-                              {{number, 1}, {other, -1}});
-        }
 }
 
 template <int D>

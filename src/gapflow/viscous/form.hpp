@@ -13,6 +13,7 @@
 #include "gapflow/viscous/squares.hpp"
 #include "gapflow/viscous/whole_faces.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -54,6 +55,43 @@ struct RowList {
     double value(int row, std::span<const double> x) const;
 };
 
+/// Faces of the compact lattice, one after the other in the first axis, all in unit cells: each resists to its difference from each of 2 D faces around it.
+template <int D>
+struct LatticeRun {
+    std::int32_t first, length;
+    std::array<std::int32_t, 2 * D> beside; ///< those of the first one
+};
+
+template <int D>
+struct Lattice {
+    std::vector<LatticeRun<D>> runs;
+    std::vector<std::array<std::int32_t, 2>> links; ///< of another face to one in a run
+
+    /// y += A x.
+    void add_product(std::span<const double> x, std::span<double> y) const;
+    /// f(a, b) of all pairs.
+    template <class F>
+    void for_each_pair(const F& f) const;
+};
+
+template <int D>
+template <class F>
+void Lattice<D>::for_each_pair(const F& f) const
+{
+    std::vector<char> outside; // faces in no run that one has beside it
+    for (const auto& [face, other] : links) {
+        outside.resize(std::max(outside.size(), static_cast<std::size_t>(face) + 1));
+        outside[face] = true;
+        f(face, other);
+    }
+    for (const LatticeRun<D>& run : runs)
+        for (const std::int32_t first : run.beside)
+            for (std::int32_t i = 0; i < run.length; ++i)
+                if (const std::int32_t a = run.first + i, b = first + i;
+                    a < b && (static_cast<std::size_t>(b) >= outside.size() || !outside[b]))
+                    f(a, b);
+}
+
 /// The squares of a face with an element of its own, from one to before another.
 struct FormElement {
     std::int32_t face;
@@ -68,7 +106,8 @@ struct ViscousForm {
     std::vector<FormFace<D>> faces;
     std::vector<FormTrace<D>> traces;
     int solids = 0;
-    SquareSum squares; ///< no weight is negative
+    Lattice<D> lattice;
+    SquareSum squares; ///< what else there is; no weight is negative
     std::array<std::int64_t, 2>
         gap_rows{}; ///< those of gaps in closed form, without derived columns: the first one, and the first one after them
     std::vector<std::int32_t> row_face, turning_face; ///< face of each row of `squares`, and of `rotation`; -1: none alone

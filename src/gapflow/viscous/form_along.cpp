@@ -52,7 +52,7 @@ void FormBuilder<D>::add_plain_along(std::int32_t cell)
         for (const CellFace& of : faces)
             at[form_.faces[of.face].axis][of.sign > 0] = &of;
         for (int d = 0; d < D; ++d)
-            if (at[d][0] && at[d][1])
+            if (at[d][0] && at[d][1] && !regular_[at[d][0]->face] && !regular_[at[d][1]->face])
                 form_.squares.add(1 / shapes_[cell].volume, {{at[d][0]->face, -form_.faces[at[d][0]->face].area},
                                                              {at[d][1]->face, form_.faces[at[d][1]->face].area}});
         return;

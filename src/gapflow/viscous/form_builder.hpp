@@ -127,6 +127,16 @@ private:
     double length_of(int axis, const Index<D>& f) const;
     bool is_closed_side(int axis, int plane) const;
     bool on_closed_side(const Index<D>& vertex) const;
+    /// How many cells of the compact lattice are between a face of it and a closed side with rows of its own, along an axis, and whether that is the high one; at most 2.
+    std::pair<int, int> cells_to_side(const FormFace<D>& face, int axis) const;
+    /// Whole faces by their place; -1: none.
+    std::int32_t whole_face_at(int component, const Index<D>& f) const
+    {
+        const Index<D> at = index_.wrapped(f);
+        return index_.holds(at - std::max(0, at[component] - index_.high()[component] + 1) * step<D>(component))
+                   ? whole_face_[component][index_(at)]
+                   : -1;
+    }
     /// The velocity of closed sides: at a plane of one, at a vertex (the mean of those that meet there); 0 of sides that are not among the solids.
     Row of_side(int axis, int plane, int component) const;
     Row of_sides(const Index<D>& vertex, int component) const;
@@ -160,7 +170,10 @@ private:
     void add_face(std::int32_t face);
     bool add_whole_face(std::int32_t face);
     bool add_whole_along(std::int32_t cell);
+    void find_lattice();
+    std::array<std::int32_t, 2 * D> beside(std::int32_t face) const;
     void add_compact(std::int32_t face);
+    void add_at_side(std::int32_t face, int axis, int end, int layer);
     void add_along(std::int32_t cell);
     WallMoments<D> wall_moments(std::int32_t cell) const;
     void add_plain_along(std::int32_t cell);
@@ -207,6 +220,7 @@ private:
     std::array<std::int32_t, 2 * D> side_solid_; ///< of each closed side; -1: none
     bool periodic_ = false;
     ViscousForm<D> form_;
+    std::vector<char> regular_; ///< of each face: in a run of the lattice
     std::array<std::vector<std::int32_t>, D> whole_face_;           ///< by number in Complex::index; -1: none
     std::vector<double> gap_of_cell_;                               ///< share of its dissipation that is that of gaps
     std::map<std::array<std::int32_t, 2>, double> least_thickness_; ///< of the gaps of two solids, 3D
