@@ -32,12 +32,27 @@ private:
     Vector pressure_of(const Vector& outflow, double tolerance) const;
     void find_weighted(const Vector& residual, Vector& z) const; ///< G^-1 r of edges and twists
 
+    /// Edges, one after the other along the first axis, as cells are: between these. The root of their conductance.
+    struct Run {
+        std::int32_t edge, length, low, high;
+        double root;
+    };
+
+    void find_conductances(const Placed<D>& at);
+    void find_outflow(const std::vector<int>& given);
+    Vector outflow_of(const Vector& z) const;
+    /// r -= held pressure.
+    void take_pressure(const Vector& pressure, Vector& residual) const;
+
     const ViscousColumns<D>& columns_;
-    Vector diagonal_;
+    Vector weight_; ///< 1 over the diagonal, of edges
     double tolerance_;
     ViscousTraces<D> traces_;
     SparseCholesky bodies_;
-    typename ViscousColumns<D>::Rows outflow_, held_; ///< rows x unknowns, and transposed
+    std::vector<Run> runs_;
+    std::vector<int> held_by_;                        ///< unknowns of `outflow_`
+    typename ViscousColumns<D>::Rows outflow_, held_; ///< of what is in no run: rows x these, and transposed
+    Eigen::Index unknowns_ = 0;
     std::unique_ptr<Coupling<D>> coupling_;
     std::unique_ptr<CoupledSolver<D>> solver_;
 };

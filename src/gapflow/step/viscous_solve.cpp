@@ -2,6 +2,7 @@
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/sort_unique.hpp"
+#include "gapflow/step/viscous_product.hpp"
 #include "gapflow/step/viscous_projection.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -84,11 +85,8 @@ struct ViscousSolve<D>::Direct {
 
 template <int D>
 struct ViscousSolve<D>::Projected {
-    using Rows = typename ViscousColumns<D>::Rows;
-
     ViscousProjection<D> projection;
-    Rows form, unknowns; ///< the form's columns of the unknowns, and transposed
-    Matrix bodies;       ///< mass of the free bodies' unknowns
+    ViscousProduct<D> product;
 };
 
 template <int D>
@@ -187,13 +185,13 @@ void ViscousSolve<D>::set_up_projected(const Placed<D>& at, const std::vector<Tw
 {
     Vector diagonal = factor_ * columns_.diagonal().head(columns_.twist(0));
     diagonal.head(columns_.edges()).array() += 1;
-    using Rows = typename Projected::Rows;
-    const Rows form = columns_.form() * Rows(free_);
+    using Rows = typename ViscousColumns<D>::Rows;
     const Eigen::Index n = free_.cols() - columns_.twist(0);
     const Matrix motions = free_.rightCols(n);
     projected_ = std::make_unique<Projected>(Projected{
-        ViscousProjection<D>(at, columns_, free_, diagonal, body_block(at, mass), tolerance_, given), form,
-        Rows(form.transpose()), Matrix(Matrix(motions.transpose()) * mass_ * motions) + Matrix(hold_.bottomRightCorner(n, n))});
+        ViscousProjection<D>(at, columns_, free_, diagonal, body_block(at, mass), tolerance_, given),
+        ViscousProduct<D>(columns_.of_form(), columns_.form() * Rows(free_), factor_, columns_.edges(),
+                          Matrix(Matrix(motions.transpose()) * mass_ * motions) + Matrix(hold_.bottomRightCorner(n, n)))});
 }
 
 /// Own masses, D, what gaps add; edges have the energy 1/2 n^2.
@@ -320,18 +318,8 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
     Vector x = Vector::Zero(free_.cols()); // change in the unknowns
     if (like && like->change.size() > 0)
         x = like->change;
-    const ViscousForm<D>& form = columns_.of_form();
-    typename ViscousForm<D>::Room room;
-    Vector u, by(form.columns()), q(x.size());
-    const auto find_product = [&](const Vector& v) { // q, of edges with the energy 1/2 n^2
-        u.noalias() = projected_->form * v;
-        form.product({u.data(), static_cast<std::size_t>(u.size())}, {by.data(), static_cast<std::size_t>(by.size())}, room);
-        q.noalias() = projected_->unknowns * by;
-        q *= factor_;
-        q.head(columns_.edges()) += v.head(columns_.edges());
-        const Eigen::Index n = projected_->bodies.cols();
-        q.tail(n) += projected_->bodies * v.tail(n);
-    };
+    const Eigen::Index n = x.size();
+    Vector p = Vector::Zero(projected_->product.size()), q; // with room behind the unknowns
     Stage stage{base, Vector::Zero(columns_.unknowns())};
     Vector force = load - friction(base);
     if (rows) {
@@ -339,9 +327,9 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
         force -= columns_.outflow().transpose() * rows->pressure;
         stage.pressure = rows->pressure;
     }
-    find_product(x);
-    Vector r = free_.transpose() * force - q;
-    Vector z, p;
+    p.head(n) = x;
+    projected_->product.apply(p, q);
+    Vector r = free_.transpose() * force - q.head(n), z;
     // Relative to the kinetic energy, or where there is none to what is gained: slip along walls that nothing resists yet has residuals of any size.
     double rz = 0, largest_outflow = 0, scale = base.dot(mass_ * base);
     const bool from_rest = !(scale > 0);
@@ -353,16 +341,16 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
         if (stage.iterations == most_iterations || !(next > 0))
             fail(stage.iterations);
         if (stage.iterations == 0)
-            p = z;
+            p.head(n) = z;
         else
-            p = z + next / rz * p;
+            p.head(n) = z + next / rz * p.head(n);
         rz = next;
-        find_product(p);
-        const double step = rz / p.dot(q);
-        x += step * p;
+        projected_->product.apply(p, q);
+        const double step = rz / p.head(n).dot(q.head(n));
+        x += step * p.head(n);
         if (from_rest)
             scale += step * rz;
-        r -= step * q;
+        r -= step * q.head(n);
     }
     stage.y = base + free_ * x;
     stage.change = x;

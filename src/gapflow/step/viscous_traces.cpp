@@ -2,7 +2,7 @@
 
 #include "gapflow/core/sort_unique.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -10,15 +10,14 @@
 namespace gapflow {
 namespace {
 
-constexpr double least = 0.02; // of a mode of a face's traces, over its diagonal: slivers have some without resistance
+constexpr double least = 0.02; // more resistance of a face's traces, over their diagonal: slivers have modes without any
 
 }
 
 template <int D>
 ViscousTraces<D>::ViscousTraces(const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free,
                                 const Vector& resistance)
-    : columns_(columns), first_(columns.trace(0)), means_(columns.means() * Rows(free)), pulled_(means_.transpose()),
-      scale_(resistance.size()), alone_(Vector::Zero(resistance.size()))
+    : columns_(columns), first_(columns.trace(0)), means_(columns.means() * Rows(free)), scale_(resistance.size()), alone_(Vector::Zero(resistance.size()))
 {
     const RowList& beside = columns.of_form().beside;
     for (Eigen::Index k = 0; k < scale_.size(); ++k) {
@@ -26,7 +25,34 @@ ViscousTraces<D>::ViscousTraces(const ViscousColumns<D>& columns, const Eigen::S
         alone_[k] = faces > 0 ? 0 : 1;
         scale_[k] = resistance[k] > 0 ? 1 / std::sqrt(resistance[k] * std::max(1.0, faces)) : 0.0;
     }
+    for (Eigen::Index k = 0; k < means_.nonZeros(); ++k)
+        pulled_.push_back(means_.innerIndexPtr()[k]);
+    sort_unique(pulled_);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int trace = 0; trace < means_.rows(); ++trace)
+        for (typename Rows::InnerIterator entry(means_, trace); entry; ++entry)
+            entries.emplace_back(
+                static_cast<int>(std::lower_bound(pulled_.begin(), pulled_.end(), entry.col()) - pulled_.begin()), trace,
+                entry.value());
+    pull_.resize(static_cast<int>(pulled_.size()), means_.rows());
+    pull_.setFromTriplets(entries.begin(), entries.end());
     find_elements();
+}
+
+template <int D>
+Eigen::VectorXd ViscousTraces<D>::pull(Vector& residual) const
+{
+    const Vector pulled = pull_ * residual.segment(first_, scale_.size());
+    for (std::size_t k = 0; k < pulled_.size(); ++k)
+        residual[pulled_[k]] += pulled[static_cast<Eigen::Index>(k)];
+    return pulled;
+}
+
+template <int D>
+void ViscousTraces<D>::release(const Vector& pulled, Vector& residual) const
+{
+    for (std::size_t k = 0; k < pulled_.size(); ++k)
+        residual[pulled_[k]] -= pulled[static_cast<Eigen::Index>(k)];
 }
 
 template <int D>
@@ -37,30 +63,32 @@ void ViscousTraces<D>::find_elements()
     const auto number = [&](std::int32_t column) {
         return column >= form.velocities() && column < form.unknowns() ? column - form.velocities() : -1;
     };
+    std::vector<std::int32_t> traces;
     for (const FormElement& of : form.elements) {
-        Element element;
+        traces.clear();
         for (std::int64_t t = form.squares.end[of.first]; t < form.squares.end[of.last]; ++t)
             if (const int trace = number(form.squares.column[t]); trace >= 0)
-                element.traces.push_back(trace);
-        sort_unique(element.traces);
-        const auto n = static_cast<Eigen::Index>(element.traces.size());
+                traces.push_back(trace);
+        sort_unique(traces);
+        const auto n = static_cast<Eigen::Index>(traces.size());
         Eigen::MatrixXd block = Eigen::MatrixXd::Zero(n, n);
         for (std::int64_t k = of.first; k < of.last; ++k) {
             Vector row = Vector::Zero(n);
             for (std::int64_t t = form.squares.end[k]; t < form.squares.end[k + 1]; ++t)
                 if (const int trace = number(form.squares.column[t]); trace >= 0) {
-                    const auto at = std::lower_bound(element.traces.begin(), element.traces.end(), trace);
-                    row[at - element.traces.begin()] += form.squares.factor[t] / std::sqrt(diagonal[form.velocities() + trace]);
+                    const auto at = std::lower_bound(traces.begin(), traces.end(), trace);
+                    row[at - traces.begin()] += form.squares.factor[t] / std::sqrt(diagonal[form.velocities() + trace]);
                 }
             block += form.squares.weight[k] * row * row.transpose();
         }
-        block.diagonal().setOnes();
-        if (n > 0) {
-            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(block);
-            element.inverse = modes.eigenvectors() * modes.eigenvalues().cwiseMax(least).cwiseInverse().asDiagonal() *
-                              modes.eigenvectors().transpose();
-        }
-        elements_.push_back(std::move(element));
+        block.diagonal().setConstant(1 + least);
+        trace_.insert(trace_.end(), traces.begin(), traces.end());
+        end_.push_back(static_cast<std::int64_t>(trace_.size()));
+        const std::size_t begin = inverse_.size();
+        inverse_.resize(begin + n * n);
+        if (n > 0)
+            Eigen::Map<Eigen::MatrixXd>(inverse_.data() + begin, n, n) = block.llt().solve(Eigen::MatrixXd::Identity(n, n));
+        entry_.push_back(static_cast<std::int64_t>(inverse_.size()));
     }
 }
 
@@ -82,14 +110,15 @@ void ViscousTraces<D>::follow(const Vector& residual, Vector& z) const
             if (face[k] < last)
                 change[face[k] - first] += by[k];
     }
-    for (const Element& element : elements_)
-        for (std::size_t i = 0; i < element.traces.size(); ++i) {
+    for (std::size_t e = 0; e + 1 < end_.size(); ++e) {
+        const double* entry = inverse_.data() + entry_[e];
+        for (std::int64_t i = end_[e]; i < end_[e + 1]; ++i) {
             double sum = 0;
-            for (std::size_t j = 0; j < element.traces.size(); ++j)
-                sum += element.inverse(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) * r[element.traces[j]];
-            change[element.traces[i]] += sum;
+            for (std::int64_t j = end_[e]; j < end_[e + 1]; ++j)
+                sum += *entry++ * r[trace_[j]];
+            change[trace_[i]] += sum;
         }
-    z.segment(first_, scale_.size()).setZero();
+    }
     change.array() *= scale_.array();
     change.noalias() += means_ * z;
     z.segment(first_, scale_.size()) = change;

@@ -15,11 +15,9 @@ public:
     /// `free`: columns of the unknowns: edges, traces and free twists. `resistance`: diagonal of the system, of the traces.
     ViscousTraces(const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free, const Vector& resistance);
 
-    /// Adds what a residual of the traces is for edges and twists.
-    void pull(const Vector& residual, Vector& whole) const
-    {
-        whole.noalias() += pulled_ * residual.segment(first_, scale_.size());
-    }
+    /// Adds to edges and twists what the residual of the traces is for them, and takes it out again.
+    Vector pull(Vector& residual) const;
+    void release(const Vector& pulled, Vector& residual) const;
     /// The traces that follow the other unknowns, and what their own residual asks for.
     void follow(const Vector& residual, Vector& z) const;
 
@@ -28,16 +26,16 @@ private:
 
     const ViscousColumns<D>& columns_;
     int first_;
-    Rows means_;   ///< traces x unknowns
-    Rows pulled_;  ///< transposed
+    Rows means_;              ///< traces x unknowns
+    std::vector<int> pulled_; ///< unknowns that `means_` has
+    Rows pull_;               ///< of these: transposed
     Vector scale_; ///< 1 over the root of the resistance and of the number of faces
     Vector alone_; ///< of traces: whether no face has them
-    /// Of faces with elements of their own: their traces, and the inverse of what the element resists with over the roots of the whole resistance.
-    struct Element {
-        std::vector<std::int32_t> traces;
-        Eigen::MatrixXd inverse;
-    };
-    std::vector<Element> elements_;
+    /// Of faces with elements of their own, one after the other: their traces, and the inverse of what the element resists with over the roots of the whole
+    /// resistance.
+    std::vector<std::int64_t> end_{0}, entry_{0};
+    std::vector<std::int32_t> trace_;
+    std::vector<double> inverse_;
 };
 
 } // namespace gapflow
