@@ -30,20 +30,39 @@ void ViscousColumns<D>::find_edges()
 {
     const Grid<D>& grid = *at_.coupling.grid;
     const CoupledSystem<D>& system = at_.coupling.system;
-    std::vector<Eigen::Triplet<double>> incidence;
+    std::vector<int> row, end{0}; // of the incidence, by edges
+    std::vector<double> weight;
+    const auto close = [&] {
+        const std::size_t begin = end.back();
+        for (std::size_t k = begin + 1; k < row.size(); ++k) // few
+            for (std::size_t m = k; m > begin && row[m] < row[m - 1]; --m) {
+                std::swap(row[m], row[m - 1]);
+                std::swap(weight[m], weight[m - 1]);
+            }
+        end.push_back(static_cast<int>(row.size()));
+    };
+    const auto add = [&](long at, double value) {
+        for (std::size_t k = end.back(); k < row.size(); ++k)
+            if (row[k] == at) {
+                weight[k] += value;
+                return;
+            }
+        row.push_back(static_cast<int>(at));
+        weight.push_back(value);
+    };
     for (int axis = 0; axis < D; ++axis) {
         face_[axis].assign(number(grid.cells()) + 1, -1);
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
             const double g = system.conductance(axis, f);
             if (!(g > 0))
                 return;
-            const int edge = edges();
-            face_[axis][number(f)] = edge;
+            face_[axis][number(f)] = edges();
             conductance_.push_back(g);
             if (const Index<D> low = grid.wrapped(Index<D>(f - step<D>(axis))); grid.in_domain(low))
-                incidence.emplace_back(static_cast<int>(grid.key(low)), edge, 1);
+                add(grid.key(low), 1);
             if (const Index<D> high = grid.wrapped(f); grid.in_domain(high))
-                incidence.emplace_back(static_cast<int>(grid.key(high)), edge, -1);
+                add(grid.key(high), -1);
+            close();
         });
         if (grid.periodic(axis)) { // the last face is the first one
             Index<D> low = grid.low(), high = grid.high();
@@ -55,15 +74,15 @@ void ViscousColumns<D>::find_edges()
     }
     first_sparse_ = edges();
     for (const SparseEdge<D>& edge : at_.edges.edges) {
-        for (const auto& row : at_.edges.rows_of(edge))
-            incidence.emplace_back(static_cast<int>(row.node >= 0 ? cells_ + row.node : grid.key(grid.wrapped(row.cell))),
-                                   edges(), row.weight);
+        for (const auto& of : at_.edges.rows_of(edge))
+            add(of.node >= 0 ? cells_ + of.node : grid.key(grid.wrapped(of.cell)), of.weight);
+        close();
         conductance_.push_back(edge.conductance);
     }
     for (const VoidEdge<D>& edge : at_.voids.edges)
         conductance_[edge_of(edge.edge)] = edge.open();
-    incidence_.resize(unknowns(), edges());
-    incidence_.setFromTriplets(incidence.begin(), incidence.end());
+    incidence_ = Eigen::Map<const Eigen::SparseMatrix<double>>(unknowns(), edges(), static_cast<Eigen::Index>(row.size()),
+                                                               end.data(), row.data(), weight.data());
     carried_.resize(edges());
     for (const CarriedFlux<D>& of : at_.edges.carried)
         if (const int edge = of.axis >= 0 ? edge_of_face(of.axis, of.face) : edge_of(of.edge); edge >= 0)
@@ -77,10 +96,18 @@ void ViscousColumns<D>::find_faces()
     const Complex<D>& complex = at_.complex;
     const Grid<D>& grid = *at_.coupling.grid;
     const double face_area = grid.face_area();
-    std::map<std::pair<int, std::int32_t>, std::vector<int>> at_face; // form faces on a face of the grid
-    for (int k = 0; k < form_.velocities(); ++k)
-        at_face[{form_.faces[k].axis, form_.faces[k].face}].push_back(k);
-    through_.resize(form_.velocities());
+    // Faces of the form on a face of the grid: the first one, and after each the next one.
+    std::array<std::vector<std::int32_t>, D> first;
+    std::vector<std::int32_t> next(form_.velocities(), -1);
+    for (auto& of : first)
+        of.assign(complex.index.count, -1);
+    for (int k = form_.velocities() - 1; k >= 0; --k) {
+        std::int32_t& at = first[form_.faces[k].axis][form_.faces[k].face];
+        next[k] = at;
+        at = k;
+    }
+    std::vector<std::pair<int, Through>> passing; // by faces
+    passing.reserve(form_.velocities() + form_.velocities() / 8);
     filled_.assign(form_.velocities(), 1.0);
     std::vector<double> filled(edges(), 1.0);            // of the way along each edge
     std::map<std::pair<int, std::int32_t>, int> to_void; // edges of faces of the grid
@@ -93,17 +120,14 @@ void ViscousColumns<D>::find_faces()
             piece_to_void[edge.piece] = edge_of(edge.edge);
     }
     const auto add = [&](int face, int edge, double share) {
-        through_[face].push_back({edge, share / (filled[edge] * form_.faces[face].area * face_area)});
+        passing.push_back({face, {edge, share / (filled[edge] * form_.faces[face].area * face_area)}});
         filled_[face] = std::min(filled_[face], filled[edge]);
     };
     // The face of the form that a piece is, or a part of.
     const auto face_of = [&](const FacePiece<D>& piece) {
         int best = -1;
         double least = 0;
-        const auto found = at_face.find({piece.axis, piece.face});
-        if (found == at_face.end())
-            return best;
-        for (const int k : found->second) {
+        for (std::int32_t k = first[piece.axis][piece.face]; k >= 0; k = next[k]) {
             const FormFace<D>& face = form_.faces[k];
             if (face.low != form_.cells.of(piece.low) || face.high != form_.cells.of(piece.high))
                 continue;
@@ -142,15 +166,22 @@ void ViscousColumns<D>::find_faces()
     for (std::size_t e = 0; e < at_.edges.edges.size(); ++e)
         if (at_.edges.edges[e].mouth >= 0)
             for (const FaceAlong<D>& along : faces_along(at_, at_.edges.edges[e])) {
-                const auto found = at_face.find({along.axis, complex.index(complex.index.wrapped(along.face))});
-                if (found == at_face.end())
-                    continue;
+                const std::int32_t begin = first[along.axis][complex.index(complex.index.wrapped(along.face))];
                 double all = 0;
-                for (const int k : found->second)
+                for (std::int32_t k = begin; k >= 0; k = next[k])
                     all += form_.faces[k].area;
-                for (const int k : found->second)
+                for (std::int32_t k = begin; k >= 0; k = next[k])
                     add(k, edge_of(e), along.length / face_length(grid, along.axis, along.face) * form_.faces[k].area / all);
             }
+    first_through_.assign(form_.velocities() + 1, 0);
+    for (const auto& [face, of] : passing)
+        ++first_through_[face + 1];
+    for (int k = 0; k < form_.velocities(); ++k)
+        first_through_[k + 1] += first_through_[k];
+    through_.resize(passing.size());
+    std::vector<int> at(first_through_.begin(), first_through_.end() - 1);
+    for (const auto& [face, of] : passing)
+        through_[at[face]++] = of;
 }
 
 template <int D>
@@ -158,9 +189,6 @@ void ViscousColumns<D>::fill_outflow()
 {
     const Grid<D>& grid = *at_.coupling.grid;
     std::vector<Eigen::Triplet<double>> entries;
-    for (int edge = 0; edge < edges(); ++edge)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(incidence_, edge); entry; ++entry)
-            entries.emplace_back(static_cast<int>(entry.row()), edge, std::sqrt(conductance_[edge]) * entry.value());
     const auto add = [&](long row, int solid, const Twist<D>& flux) {
         for (int k = 0; k < twist_size<D>; ++k)
             entries.emplace_back(static_cast<int>(row), twist(solid, k), flux[k]);
@@ -169,8 +197,13 @@ void ViscousColumns<D>::fill_outflow()
         add(grid.key(entry.row), entry.body, entry.flux);
     for (const auto& entry : at_.coupling.node_flux)
         add(cells_ + entry.row, entry.body, entry.flux);
-    outflow_.resize(unknowns(), columns());
-    outflow_.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SparseMatrix<double> of_edges =
+        incidence_ * Vector::Map(conductance_.data(), edges()).cwiseSqrt().asDiagonal();
+    outflow_ = of_edges;
+    outflow_.conservativeResize(unknowns(), columns());
+    Rows of_solids(unknowns(), columns());
+    of_solids.setFromTriplets(entries.begin(), entries.end());
+    outflow_ += of_solids;
 }
 
 template <int D>
@@ -178,7 +211,7 @@ template <class F>
 void ViscousColumns<D>::for_each_term(int form_column, const F& f) const
 {
     if (form_column < form_.velocities()) {
-        for (const Through& of : through_[form_column]) {
+        for (const Through& of : through(form_column)) {
             f(of.edge, of.factor * std::sqrt(conductance_[of.edge]));
             for (const auto& [solid, flux] : carried_[of.edge])
                 for (int k = 0; k < twist_size<D>; ++k)
@@ -195,12 +228,27 @@ void ViscousColumns<D>::for_each_term(int form_column, const F& f) const
 template <int D>
 void ViscousColumns<D>::fill_form()
 {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(form_.columns() + form_.columns() / 8);
-    for (int row = 0; row < form_.columns(); ++row)
-        for_each_term(row, [&](int column, double factor) { entries.emplace_back(row, column, factor); });
-    to_form_.resize(form_.columns(), columns());
-    to_form_.setFromTriplets(entries.begin(), entries.end());
+    std::vector<int> end{0}, column;
+    std::vector<double> factor;
+    Row row;
+    for (int k = 0; k < form_.columns(); ++k) {
+        if (k < form_.velocities() && through(k).size() == 1 && carried_[through(k)[0].edge].empty()) {
+            const Through& of = through(k)[0];
+            column.push_back(of.edge);
+            factor.push_back(of.factor * std::sqrt(conductance_[of.edge]));
+        } else {
+            row = {};
+            for_each_term(k, [&](int at, double value) { row.add(at, value); });
+            row.merge();
+            for (const Term& term : row.terms()) {
+                column.push_back(term.column);
+                factor.push_back(term.factor);
+            }
+        }
+        end.push_back(static_cast<int>(column.size()));
+    }
+    to_form_ = Eigen::Map<const Rows>(form_.columns(), columns(), static_cast<Eigen::Index>(column.size()), end.data(),
+                                      column.data(), factor.data());
 }
 
 template <int D>
@@ -255,20 +303,6 @@ Eigen::VectorXd ViscousColumns<D>::diagonal() const
 }
 
 template <int D>
-auto ViscousColumns<D>::means() const -> Rows
-{
-    const RowList& beside = form_.beside;
-    Rows mean(static_cast<int>(form_.traces.size()), form_.columns());
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(beside.column.size());
-    for (int row = 0; row < beside.rows(); ++row)
-        for (std::int64_t t = beside.end[row]; t < beside.end[row + 1]; ++t)
-            entries.emplace_back(row, beside.column[t], beside.factor[t]);
-    mean.setFromTriplets(entries.begin(), entries.end());
-    return mean * to_form_;
-}
-
-template <int D>
 Eigen::VectorXd ViscousColumns<D>::given(const GivenSides<D>& sides) const
 {
     Vector y = Vector::Zero(form_.columns());
@@ -283,7 +317,7 @@ Eigen::VectorXd ViscousColumns<D>::by_fluxes(const Vector& by_form) const
 {
     Vector y = Vector::Zero(edges());
     for (int face = 0; face < form_.velocities(); ++face)
-        for (const Through& of : through_[face])
+        for (const Through& of : through(face))
             y[of.edge] += of.factor * by_form[face];
     return y;
 }
@@ -308,12 +342,23 @@ Eigen::VectorXd ViscousColumns<D>::of_flow(const PotentialFlow<D>& flow) const
     return x;
 }
 
+/// f(cell, row) of the first cell of each line along the first axis.
+template <int D>
+template <class F>
+void ViscousColumns<D>::for_each_line(const F& f) const
+{
+    const Grid<D>& grid = *at_.coupling.grid;
+    Index<D> end = grid.high();
+    end[0] = grid.low()[0] + 1;
+    for_each_index<D>(grid.low(), end, [&](const Index<D>& c) { f(c, grid.key(c)); });
+}
+
 template <int D>
 UnknownVector<D> ViscousColumns<D>::to_unknowns(const Vector& rows) const
 {
     const Grid<D>& grid = *at_.coupling.grid;
     UnknownVector<D> p{CellField<D>(grid), rows.tail(at_.coupling.system.nodes)};
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { p.cells(c) = rows[static_cast<int>(grid.key(c))]; });
+    for_each_line([&](const Index<D>& c, long row) { std::copy_n(rows.data() + row, grid.cells()[0], &p.cells(c)); });
     return p;
 }
 
@@ -321,8 +366,8 @@ template <int D>
 Eigen::VectorXd ViscousColumns<D>::of_unknowns(const UnknownVector<D>& p) const
 {
     const Grid<D>& grid = *at_.coupling.grid;
-    Vector rows = Vector::Zero(unknowns());
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { rows[static_cast<int>(grid.key(c))] = p.cells(c); });
+    Vector rows(unknowns());
+    for_each_line([&](const Index<D>& c, long row) { std::copy_n(&p.cells(c), grid.cells()[0], rows.data() + row); });
     rows.tail(at_.coupling.system.nodes) = p.nodes;
     return rows;
 }

@@ -8,6 +8,7 @@
 #include <Eigen/Sparse>
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace gapflow {
@@ -55,8 +56,6 @@ public:
     Vector friction(const Vector& x) const;
     /// Its diagonal, nearly. Of edges whose faces have traces beside them, with the traces at the means of the faces beside them.
     Vector diagonal() const;
-    /// Of traces: the means of the velocities beside them.
-    Rows means() const;
     const ViscousForm<D>& of_form() const { return form_; }
     /// Of the derivatives by the form's velocities: those by the edges' fluxes.
     Vector by_fluxes(const Vector& by_form) const;
@@ -75,6 +74,11 @@ private:
         double factor;
     };
 
+    std::span<const Through> through(int face) const
+    {
+        return {through_.data() + first_through_[face],
+                static_cast<std::size_t>(first_through_[face + 1] - first_through_[face])};
+    }
     long number(const Index<D>& f) const
     {
         long n = 0;
@@ -82,6 +86,8 @@ private:
             n = n * (at_.coupling.grid->cells()[axis] + 1) + f[axis];
         return n;
     }
+    template <class F>
+    void for_each_line(const F& f) const;
     void find_edges();
     void find_faces();
     void fill_outflow();
@@ -98,9 +104,10 @@ private:
     std::array<std::vector<int>, D> face_;
     std::vector<double> conductance_;
     std::vector<std::vector<std::pair<int, Twist<D>>>> carried_; ///< of each edge: solid and k
-    std::vector<std::vector<Through>> through_;                  ///< of each face of the form
-    std::vector<double> filled_;                                 ///< the same
-    Eigen::SparseMatrix<double> incidence_;                      ///< unknowns x edges
+    std::vector<int> first_through_;
+    std::vector<Through> through_;          ///< of each face of the form, from first_through_ of it on
+    std::vector<double> filled_;            ///< the same
+    Eigen::SparseMatrix<double> incidence_; ///< unknowns x edges
     Rows outflow_, to_form_;
 };
 

@@ -3,6 +3,8 @@
 #include "gapflow/core/sort_unique.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace gapflow {
 
@@ -25,6 +27,8 @@ void ViscousProduct<D>::find_places(const ViscousForm<D>& form, const Rows& form
     functions_.end.push_back(0); // 0, of columns at rest
     const auto next = [&] { return static_cast<std::int32_t>(unknowns_) + functions_.rows(); };
     for (int column = 0; column < form.columns(); ++column) {
+        if (column == form.unknowns())
+            first_of_twists_ = next();
         const int begin = form_of.outerIndexPtr()[column], count = form_of.outerIndexPtr()[column + 1] - begin;
         if (count == 0)
             continue;
@@ -39,6 +43,7 @@ void ViscousProduct<D>::find_places(const ViscousForm<D>& form, const Rows& form
         }
         functions_.end.push_back(static_cast<std::int64_t>(functions_.column.size()));
     }
+    last_of_twists_ = next();
     for (int row = 0; row < form.derived.rows(); ++row) {
         place_[form.columns() + row] = {next(), 1};
         for (std::int64_t t = form.derived.end[row]; t < form.derived.end[row + 1]; ++t)
@@ -157,6 +162,75 @@ void ViscousProduct<D>::add_element(const SquareSum& squares, std::int64_t first
     elements_.at.insert(elements_.at.end(), at.begin(), at.end());
     elements_.end.push_back(static_cast<std::int64_t>(elements_.at.size()));
     elements_.entry.push_back(static_cast<std::int64_t>(elements_.matrix.size()));
+}
+
+template <int D>
+std::vector<Eigen::Triplet<double>> ViscousProduct<D>::friction_of_bodies() const
+{
+    constexpr int T = twist_size<D>;
+    const Eigen::Index n = bodies_.cols(), first = unknowns_ - n;
+    std::vector<TwistMatrix<D>> own(n / T, TwistMatrix<D>::Zero());
+    std::map<std::pair<int, int>, TwistMatrix<D>> others;
+    std::vector<std::pair<int, Twist<D>>> motions; // of bodies, what a row has of each
+    const auto add_term = [&](Eigen::Index at, double factor) {
+        const int body = static_cast<int>((at - first) / T);
+        if (motions.empty() || motions.back().first != body) {
+            const auto found =
+                std::find_if(motions.begin(), motions.end(), [&](const auto& motion) { return motion.first == body; });
+            if (found != motions.end())
+                std::swap(*found, motions.back());
+            else
+                motions.emplace_back(body, Twist<D>::Zero());
+        }
+        motions.back().second[(at - first) % T] += factor;
+    };
+    const auto find_terms = [&](std::int32_t at, double factor) {
+        if (at >= first && at < unknowns_)
+            add_term(at, factor);
+        else if (at >= first_of_twists_ && at < last_of_twists_)
+            for (std::int64_t t = functions_.end[at - unknowns_]; t < functions_.end[at - unknowns_ + 1]; ++t)
+                add_term(functions_.column[t], factor * functions_.factor[t]);
+    };
+    const auto add = [&](const std::pair<int, Twist<D>>& a, const std::pair<int, Twist<D>>& b, double weight) {
+        TwistMatrix<D>& block =
+            a.first == b.first ? own[a.first] : others.try_emplace({a.first, b.first}, TwistMatrix<D>::Zero()).first->second;
+        block += weight * a.second * b.second.transpose();
+    };
+    for (const SquareSum* sum : {&squares_, &rotation_})
+        for (std::int64_t k = 0; k < sum->rows(); ++k) {
+            motions.clear();
+            for (std::int64_t t = sum->end[k]; t < sum->end[k + 1]; ++t)
+                find_terms(sum->column[t], sum->factor[t]);
+            for (const auto& a : motions)
+                for (const auto& b : motions)
+                    add(a, b, sum->weight[k]);
+        }
+    for (std::size_t e = 0; e + 1 < elements_.end.size(); ++e) {
+        const Eigen::Index size = elements_.end[e + 1] - elements_.end[e];
+        const double* matrix = elements_.matrix.data() + elements_.entry[e];
+        const std::int32_t* at = elements_.at.data() + elements_.end[e];
+        for (Eigen::Index a = 0; a < size; ++a) {
+            motions.clear();
+            find_terms(at[a], 1);
+            const auto columns = motions;
+            motions.clear();
+            for (Eigen::Index b = 0; b < size && !columns.empty(); ++b)
+                find_terms(at[b], matrix[a * size + b]);
+            for (const auto& column : columns)
+                for (const auto& row : motions)
+                    add(row, column, 1);
+        }
+    }
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto put = [&](int a, int b, const TwistMatrix<D>& block) {
+        for (int k = 0; k < T * T; ++k)
+            entries.emplace_back(T * a + k / T, T * b + k % T, block(k / T, k % T));
+    };
+    for (std::size_t b = 0; b < own.size(); ++b)
+        put(static_cast<int>(b), static_cast<int>(b), own[b]);
+    for (const auto& [pair, block] : others)
+        put(pair.first, pair.second, block);
+    return entries;
 }
 
 template <int D>

@@ -18,6 +18,8 @@ public:
     /// Of vectors for products: after the unknowns they have room for functions of these.
     Eigen::Index size() const { return first_moment_ + 2 * static_cast<Eigen::Index>(whole_.size()); }
     Eigen::Index unknowns() const { return unknowns_; }
+    /// What the form times the factor has between the motion of free bodies, but for what derived columns have.
+    std::vector<Eigen::Triplet<double>> friction_of_bodies() const;
     /// y = (T + factor A) x, T the kinetic energy's: edges have 1/2 n^2. Fills the room of both.
     void apply(Vector& x, Vector& y) const;
 
@@ -58,6 +60,7 @@ private:
     void add_elements(const Vector& x, Vector& y) const;
 
     Eigen::Index edges_, unknowns_, first_moment_ = 0;
+    std::int32_t first_of_twists_ = 0, last_of_twists_ = 0; ///< functions that are columns of twists
     double factor_;
     std::vector<Place> place_; ///< of each column of the form
     RowList functions_;        ///< of what is before them

@@ -10,17 +10,18 @@
 namespace gapflow {
 namespace {
 
-constexpr double loosest = 1e-4; // of each
+constexpr double loosest = 1e-2; // of each
+constexpr double share = 0.2;    // of the flow's size: there are some twenty projections
 
 } // namespace
 
 template <int D>
 ViscousProjection<D>::ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns,
-                                        const Eigen::SparseMatrix<double>& free, const Vector& diagonal,
+                                        const typename ViscousColumns<D>::Rows& form_of, const Vector& diagonal,
                                         const Eigen::SparseMatrix<double>& bodies, double tolerance,
                                         const std::vector<int>& given)
     : columns_(columns), weight_(diagonal.head(columns.edges()).cwiseInverse()), tolerance_(tolerance),
-      traces_(columns, free, diagonal.tail(diagonal.size() - columns.edges())), unknowns_(free.cols()),
+      traces_(columns, form_of, diagonal.tail(diagonal.size() - columns.edges())), unknowns_(form_of.cols()),
       coupling_(std::make_unique<Coupling<D>>(at.coupling))
 {
     const Grid<D>& grid = *at.coupling.grid;
@@ -119,8 +120,8 @@ void ViscousProjection<D>::find_outflow(const std::vector<int>& given)
             in_run[edge] = 1;
             const double root = std::sqrt(columns_.conductance(edge));
             if (!runs_.empty() && f[0] > grid.low()[0])
-                if (Run& run = runs_.back(); run.root == root && edge == run.edge + run.length &&
-                                             low == run.low + run.length && high == run.high + run.length) {
+                if (Run& run = runs_.back(); run.root == root && edge == run.edge + run.length && low == run.low + run.length &&
+                                             high == run.high + run.length) {
                     ++run.length;
                     return;
                 }
@@ -152,6 +153,17 @@ void ViscousProjection<D>::find_outflow(const std::vector<int>& given)
     outflow_.resize(columns_.unknowns(), static_cast<int>(held_by_.size()));
     outflow_.setFromTriplets(entries.begin(), entries.end());
     held_ = outflow_.transpose();
+}
+
+template <int D>
+double ViscousProjection<D>::size_of(const Vector& flow) const
+{
+    const typename ViscousColumns<D>::Rows& out = columns_.outflow();
+    double sum = 0;
+    for (int row = 0; row < out.outerSize(); ++row)
+        for (typename ViscousColumns<D>::Rows::InnerIterator entry(out, row); entry; ++entry)
+            sum += std::pow(entry.value() * flow[entry.col()], 2);
+    return share * std::sqrt(sum);
 }
 
 template <int D>

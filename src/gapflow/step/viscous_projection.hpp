@@ -15,14 +15,16 @@ class ViscousProjection {
 public:
     using Vector = Eigen::VectorXd;
 
-    /// `given`: rows whose pressure is, and not their outflow. `diagonal`: of edges and traces; `bodies`: the block of the free bodies' admissible twists; `free`: columns of the unknowns.
+    /// `given`: rows whose pressure is, and not their outflow. `diagonal`: of edges and traces; `bodies`: the block of the free bodies' admissible twists; `form_of`: the form's columns of the unknowns.
     /// `tolerance`: of the outflow that projections leave, over the largest that a residual has had.
-    ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free,
+    ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const typename ViscousColumns<D>::Rows& form_of,
                       const Vector& diagonal, const Eigen::SparseMatrix<double>& bodies, double tolerance,
                       const std::vector<int>& given = {});
 
-    /// z, and takes the pressure's part out of the residual of edges, traces and free twists. Returns the pressure. `largest`: outflow of the residuals so far, of
-    /// which the projection's is a part.
+    /// The largest outflow that projections of changes of a flow are to leave, over the tolerance: a share of its fluxes' size.
+    double size_of(const Vector& flow) const;
+    /// z, and takes the pressure's part out of the residual of edges, traces and free twists. Returns the pressure. `largest`: outflow of the residuals so far or
+    /// the size of the flow, of which the projection's is a part.
     Vector project(Vector& residual, Vector& z, double& largest) const;
 
     /// The least z, as G has it, with an outflow.

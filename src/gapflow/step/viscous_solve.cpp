@@ -118,41 +118,13 @@ void ViscousSolve<D>::set_up_direct(const std::vector<int>& given)
 }
 
 template <int D>
-std::vector<Eigen::Triplet<double>> ViscousSolve<D>::friction_of_bodies() const
-{
-    using Rows = typename ViscousColumns<D>::Rows;
-    const int first = columns_.twist(0), n = static_cast<int>(free_.cols()) - first;
-    const ViscousForm<D>& form = columns_.of_form();
-    const Rows of_form = columns_.form() * Rows(Matrix(free_.rightCols(n)));
-    std::vector<Eigen::Triplet<double>> entries;
-    std::vector<double> row(n, 0.0);
-    std::vector<int> used;
-    for (const SquareSum* sum : {&form.squares, &form.rotation})
-        for (std::int64_t k = 0; k < sum->rows(); ++k) {
-            used.clear();
-            for (std::int64_t t = sum->end[k]; t < sum->end[k + 1]; ++t)
-                if (sum->column[t] < form.columns()) // a derived one has hardly any of a free body
-                    for (typename Rows::InnerIterator entry(of_form, sum->column[t]); entry; ++entry) {
-                        row[entry.col()] += sum->factor[t] * entry.value();
-                        used.push_back(static_cast<int>(entry.col()));
-                    }
-            sort_unique(used);
-            for (const int i : used)
-                for (const int j : used)
-                    entries.emplace_back(i, j, factor_ * sum->weight[k] * row[i] * row[j]);
-            for (const int i : used)
-                row[i] = 0;
-        }
-    return entries;
-}
-
-template <int D>
-auto ViscousSolve<D>::body_block(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass) const -> Matrix
+auto ViscousSolve<D>::body_block(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass,
+                                 std::vector<Eigen::Triplet<double>> friction) const -> Matrix
 {
     constexpr int T = twist_size<D>;
     const Coupling<D>& coupling = at.coupling;
     const auto admitted = [&](int s) -> const TwistMatrix<D>& { return coupling.solids[s].admissible; };
-    std::vector<Eigen::Triplet<double>> entries = friction_of_bodies();
+    std::vector<Eigen::Triplet<double>>& entries = friction;
     Vector diagonal = Vector::Zero(free_.cols() - columns_.twist(0));
     for (const auto& entry : entries)
         if (entry.row() == entry.col())
@@ -188,10 +160,12 @@ void ViscousSolve<D>::set_up_projected(const Placed<D>& at, const std::vector<Tw
     using Rows = typename ViscousColumns<D>::Rows;
     const Eigen::Index n = free_.cols() - columns_.twist(0);
     const Matrix motions = free_.rightCols(n);
-    projected_ = std::make_unique<Projected>(Projected{
-        ViscousProjection<D>(at, columns_, free_, diagonal, body_block(at, mass), tolerance_, given),
-        ViscousProduct<D>(columns_.of_form(), columns_.form() * Rows(free_), factor_, columns_.edges(),
-                          Matrix(Matrix(motions.transpose()) * mass_ * motions) + Matrix(hold_.bottomRightCorner(n, n)))});
+    const Rows form_of = columns_.form() * Rows(free_);
+    ViscousProduct<D> product(columns_.of_form(), form_of, factor_, columns_.edges(),
+                              Matrix(Matrix(motions.transpose()) * mass_ * motions) + Matrix(hold_.bottomRightCorner(n, n)));
+    ViscousProjection<D> projection(at, columns_, form_of, diagonal, body_block(at, mass, product.friction_of_bodies()),
+                                    tolerance_, given);
+    projected_ = std::make_unique<Projected>(Projected{std::move(projection), std::move(product)});
 }
 
 /// Own masses, D, what gaps add; edges have the energy 1/2 n^2.
@@ -331,7 +305,7 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
     projected_->product.apply(p, q);
     Vector r = free_.transpose() * force - q.head(n), z;
     // Relative to the kinetic energy, or where there is none to what is gained: slip along walls that nothing resists yet has residuals of any size.
-    double rz = 0, largest_outflow = 0, scale = base.dot(mass_ * base);
+    double rz = 0, largest_outflow = projection.size_of(base), scale = base.dot(mass_ * base);
     const bool from_rest = !(scale > 0);
     for (stage.iterations = 0;; ++stage.iterations) {
         stage.pressure += projection.project(r, z, largest_outflow); // r without what a pressure holds

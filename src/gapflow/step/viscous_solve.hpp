@@ -67,8 +67,9 @@ private:
     double size(const Vector& change) const;
     /// The system's block of the free bodies, in the unknowns `free_` maps; where bodies lose more of their mass than they have to the volume that planes see of
     /// them, with the least positive mass: only for preconditioners.
-    Matrix body_block(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass) const;
-    std::vector<Eigen::Triplet<double>> friction_of_bodies() const;
+    /// `friction`: that of the form in it.
+    Matrix body_block(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass,
+                      std::vector<Eigen::Triplet<double>> friction) const;
 
     const ViscousColumns<D>& columns_;
     double factor_, tolerance_;

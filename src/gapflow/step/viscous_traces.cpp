@@ -15,9 +15,8 @@ constexpr double least = 0.02; // more resistance of a face's traces, over their
 }
 
 template <int D>
-ViscousTraces<D>::ViscousTraces(const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free,
-                                const Vector& resistance)
-    : columns_(columns), first_(columns.trace(0)), means_(columns.means() * Rows(free)), scale_(resistance.size()), alone_(Vector::Zero(resistance.size()))
+ViscousTraces<D>::ViscousTraces(const ViscousColumns<D>& columns, const Rows& form_of, const Vector& resistance)
+    : columns_(columns), first_(columns.trace(0)), scale_(resistance.size()), alone_(Vector::Zero(resistance.size()))
 {
     const RowList& beside = columns.of_form().beside;
     for (Eigen::Index k = 0; k < scale_.size(); ++k) {
@@ -25,24 +24,49 @@ ViscousTraces<D>::ViscousTraces(const ViscousColumns<D>& columns, const Eigen::S
         alone_[k] = faces > 0 ? 0 : 1;
         scale_[k] = resistance[k] > 0 ? 1 / std::sqrt(resistance[k] * std::max(1.0, faces)) : 0.0;
     }
-    for (Eigen::Index k = 0; k < means_.nonZeros(); ++k)
-        pulled_.push_back(means_.innerIndexPtr()[k]);
-    sort_unique(pulled_);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int trace = 0; trace < means_.rows(); ++trace)
-        for (typename Rows::InnerIterator entry(means_, trace); entry; ++entry)
-            entries.emplace_back(
-                static_cast<int>(std::lower_bound(pulled_.begin(), pulled_.end(), entry.col()) - pulled_.begin()), trace,
-                entry.value());
-    pull_.resize(static_cast<int>(pulled_.size()), means_.rows());
-    pull_.setFromTriplets(entries.begin(), entries.end());
+    find_means(form_of);
     find_elements();
+}
+
+template <int D>
+void ViscousTraces<D>::find_means(const Rows& form_of)
+{
+    const RowList& beside = columns_.of_form().beside;
+    std::vector<std::int32_t> number(form_of.cols(), 0); // first how often, then where
+    for (int trace = 0; trace < beside.rows(); ++trace) {
+        for (std::int64_t t = beside.end[trace]; t < beside.end[trace + 1]; ++t)
+            for (typename Rows::InnerIterator entry(form_of, beside.column[t]); entry; ++entry) {
+                means_.column.push_back(static_cast<std::int32_t>(entry.col()));
+                means_.factor.push_back(beside.factor[t] * entry.value());
+                ++number[entry.col()];
+            }
+        means_.end.push_back(static_cast<std::int64_t>(means_.column.size()));
+    }
+    std::vector<std::int64_t> next;
+    for (std::size_t k = 0; k < number.size(); ++k)
+        if (number[k] > 0) {
+            next.push_back(pull_.end.back());
+            pull_.end.push_back(pull_.end.back() + number[k]);
+            number[k] = static_cast<std::int32_t>(pulled_.size());
+            pulled_.push_back(static_cast<int>(k));
+        }
+    pull_.column.resize(pull_.end.back());
+    pull_.factor.resize(pull_.end.back());
+    for (int trace = 0; trace < means_.rows(); ++trace)
+        for (std::int64_t t = means_.end[trace]; t < means_.end[trace + 1]; ++t) {
+            const std::int64_t at = next[number[means_.column[t]]]++;
+            pull_.column[at] = trace;
+            pull_.factor[at] = means_.factor[t];
+        }
 }
 
 template <int D>
 Eigen::VectorXd ViscousTraces<D>::pull(Vector& residual) const
 {
-    const Vector pulled = pull_ * residual.segment(first_, scale_.size());
+    const std::span<const double> of_traces(residual.data() + first_, static_cast<std::size_t>(scale_.size()));
+    Vector pulled(pulled_.size());
+    for (int k = 0; k < pull_.rows(); ++k)
+        pulled[k] = pull_.value(k, of_traces);
     for (std::size_t k = 0; k < pulled_.size(); ++k)
         residual[pulled_[k]] += pulled[static_cast<Eigen::Index>(k)];
     return pulled;
@@ -120,7 +144,9 @@ void ViscousTraces<D>::follow(const Vector& residual, Vector& z) const
         }
     }
     change.array() *= scale_.array();
-    change.noalias() += means_ * z;
+    const std::span<const double> others(z.data(), static_cast<std::size_t>(z.size()));
+    for (int trace = 0; trace < means_.rows(); ++trace)
+        change[trace] += means_.value(trace, others);
     z.segment(first_, scale_.size()) = change;
 }
 

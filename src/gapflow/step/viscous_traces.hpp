@@ -12,8 +12,8 @@ public:
     using Vector = Eigen::VectorXd;
     using Rows = typename ViscousColumns<D>::Rows;
 
-    /// `free`: columns of the unknowns: edges, traces and free twists. `resistance`: diagonal of the system, of the traces.
-    ViscousTraces(const ViscousColumns<D>& columns, const Eigen::SparseMatrix<double>& free, const Vector& resistance);
+    /// `form_of`: the form's columns of the unknowns: edges, traces and free twists. `resistance`: diagonal of the system, of the traces.
+    ViscousTraces(const ViscousColumns<D>& columns, const Rows& form_of, const Vector& resistance);
 
     /// Adds to edges and twists what the residual of the traces is for them, and takes it out again.
     Vector pull(Vector& residual) const;
@@ -22,15 +22,16 @@ public:
     void follow(const Vector& residual, Vector& z) const;
 
 private:
+    void find_means(const Rows& form_of);
     void find_elements();
 
     const ViscousColumns<D>& columns_;
     int first_;
-    Rows means_;              ///< traces x unknowns
-    std::vector<int> pulled_; ///< unknowns that `means_` has
-    Rows pull_;               ///< of these: transposed
-    Vector scale_; ///< 1 over the root of the resistance and of the number of faces
-    Vector alone_; ///< of traces: whether no face has them
+    RowList means_;           ///< of each trace, in unknowns
+    std::vector<int> pulled_; ///< unknowns that it has
+    RowList pull_;            ///< of each of these: transposed
+    Vector scale_;            ///< 1 over the root of the resistance and of the number of faces
+    Vector alone_;            ///< of traces: whether no face has them
     /// Of faces with elements of their own, one after the other: their traces, and the inverse of what the element resists with over the roots of the whole
     /// resistance.
     std::vector<std::int64_t> end_{0}, entry_{0};

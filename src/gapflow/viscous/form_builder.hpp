@@ -220,7 +220,7 @@ private:
     std::array<std::int32_t, 2 * D> side_solid_; ///< of each closed side; -1: none
     bool periodic_ = false;
     ViscousForm<D> form_;
-    std::vector<char> regular_; ///< of each face: in a run of the lattice
+    std::vector<char> regular_;                                     ///< of each face: in a run of the lattice
     std::array<std::vector<std::int32_t>, D> whole_face_;           ///< by number in Complex::index; -1: none
     std::vector<double> gap_of_cell_;                               ///< share of its dissipation that is that of gaps
     std::map<std::array<std::int32_t, 2>, double> least_thickness_; ///< of the gaps of two solids, 3D
