@@ -79,7 +79,7 @@ std::vector<std::uint8_t> find_layers(const Grid<D>& grid, const Complex<D>& com
 template <int D>
 bool has_wall_rows(const Grid<D>& grid, int axis)
 {
-    return grid.cells()[axis] >= column_at_side + 2; // two cells with rows of a side on either side
+    return grid.cells()[axis] >= 4 * column_at_side; // shear in narrower channels is exact
 }
 
 template <int D>
