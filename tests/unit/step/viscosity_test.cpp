@@ -125,6 +125,15 @@ TEST(Viscosity, TakesWhatItDissipates3D)
 }
 
 // The impulse on the solids is what the bodies' momenta gain; a fixed one feels what it would.
+// With the compact lattice between the ball's elements and the sides.
+TEST(Viscosity, TakesWhatItDissipatesFarFromSolids3D)
+{
+    Scene scene = viscous_box<3>(16);
+    scene.bodies = {body("ball", BodyScene::ShapeKind::ball, {0.37, 0.41, 0.46})};
+    scene.bodies[0].radius = 0.09;
+    check_energy<3>(scene, {1e-3, 1});
+}
+
 TEST(Viscosity, GivesTheImpulseToTheSolids)
 {
     Scene scene = viscous_box<2>(24);

@@ -98,6 +98,22 @@ TEST(ViscousForm2D, WideChannelsWithACompactMiddle)
         }
 }
 
+// Beside closed sides the lattice has rows of its own.
+TEST(ViscousForm2D, WideChannelsBetweenClosedSides)
+{
+    for (const int width : {16, 23, 40}) {
+        const Grid<2> grid =
+            plane_grid(Index<2>(5, width), {SideKind::periodic, SideKind::periodic, SideKind::wall, SideKind::wall});
+        const ViscousForm<2> form = form_of(grid, Scene<2>(grid));
+        EXPECT_TRUE(form.traces.empty()) << width;
+        Stokes<2> stokes(form);
+        const Eigen::VectorXd load = uniform_load<2>(form, Vec<2>(1, 0)),
+                              x = stokes.solve(Eigen::VectorXd::Zero(form.columns()), load);
+        EXPECT_NEAR(load.dot(x) / (5 * std::pow(width, 3) / 12), 1, 6e-4) << width;
+        EXPECT_NEAR(2 * form.energy(all_of(x)) / load.dot(x), 1, 1e-9) << width;
+    }
+}
+
 /// A cylinder and a box, askew, in a container that turns with them.
 struct Crowd {
     Grid<2> grid = plane_grid(Index<2>::Constant(17), all_sides<2>(SideKind::open));

@@ -103,6 +103,30 @@ TEST(ViscousForm3D, IsExactBetweenClosedSides)
     }
 }
 
+// Runs of the lattice, shared elements and rows are one matrix.
+TEST(ViscousForm3D, ProductsAreThoseOfTheSquares)
+{
+    const Grid<3> grid = space_grid(Index<3>(17, 18, 16), {SideKind::periodic, SideKind::periodic, SideKind::wall,
+                                                           SideKind::wall, SideKind::open, SideKind::wall});
+    Scene<3> scene(grid);
+    scene.add("ball", make_ball<3>(1.7), pose<3>(Vec<3>(8.1, 9.2, 7.4)));
+    const Built built(grid, scene);
+    const ViscousForm<3>& form = built.form;
+    EXPECT_GT(form.lattice.runs.size(), 0);
+    EXPECT_GT(form.lattice.links.size(), 0);
+    const Eigen::SparseMatrix<double> matrix = form.plain_squares().assembled(form.columns());
+    std::srand(3);
+    Eigen::VectorXd x = Eigen::VectorXd::Random(form.columns()), y(form.columns());
+    x.tail(form.columns() - form.unknowns()).setZero(); // the rotation is in none
+    form.product(all_of(x), {y.data(), static_cast<std::size_t>(y.size())});
+    EXPECT_LT((y - matrix * x).cwiseAbs().maxCoeff(), 1e-11 * y.cwiseAbs().maxCoeff());
+    const std::vector<double> diagonal = form.diagonal();
+    for (int k = 0; k < form.velocities(); ++k)
+        if (form.faces[k].compact) {
+            EXPECT_NEAR(diagonal[k] / matrix.coeff(k, k), 1, 1e-12) << k;
+        }
+}
+
 TEST(ViscousForm3D, IsExactInChannelsAtAnyAngle)
 {
     // Velocities on the domain's sides are data; those inside are the exact ones.
