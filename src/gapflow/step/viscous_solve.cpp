@@ -1,7 +1,6 @@
 #include "gapflow/step/viscous_solve.hpp"
 
 #include "gapflow/core/error.hpp"
-#include "gapflow/core/sort_unique.hpp"
 #include "gapflow/step/viscous_product.hpp"
 #include "gapflow/step/viscous_projection.hpp"
 
@@ -10,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -36,6 +36,23 @@ TwistMatrix<D> positive(const TwistMatrix<D>& block, const Twist<D>& diagonal)
     const Twist<D> values = modes.eigenvalues().cwiseMax(least_mass);
     return scale.asDiagonal() * modes.eigenvectors() * values.asDiagonal() * modes.eigenvectors().transpose() *
            scale.asDiagonal();
+}
+
+/// Ones on the diagonal of the first columns, the entries in those behind.
+Eigen::SparseMatrix<double> ones_and(int ones, const std::vector<Eigen::Triplet<double>>& entries, Eigen::Index rows,
+                                     Eigen::Index columns)
+{
+    Eigen::SparseMatrix<double> rest(rows, columns);
+    rest.setFromTriplets(entries.begin(), entries.end());
+    std::vector<int> end(columns + 1), row(ones + rest.nonZeros());
+    std::vector<double> value(row.size(), 1.0);
+    std::iota(row.begin(), row.begin() + ones, 0);
+    std::copy_n(rest.innerIndexPtr(), rest.nonZeros(), row.begin() + ones);
+    std::copy_n(rest.valuePtr(), rest.nonZeros(), value.begin() + ones);
+    for (Eigen::Index k = 0; k <= columns; ++k)
+        end[k] = static_cast<int>(std::min<Eigen::Index>(k, ones)) + rest.outerIndexPtr()[k];
+    return Eigen::Map<const Eigen::SparseMatrix<double>>(rows, columns, static_cast<Eigen::Index>(row.size()), end.data(),
+                                                         row.data(), value.data());
 }
 
 [[noreturn]] void fail(int iterations)
@@ -151,6 +168,36 @@ auto ViscousSolve<D>::body_block(const Placed<D>& at, const std::vector<TwistMat
     return H;
 }
 
+/// The form's columns of the unknowns.
+template <int D>
+auto ViscousSolve<D>::form_of_unknowns() const -> typename ViscousColumns<D>::Rows
+{
+    using Rows = typename ViscousColumns<D>::Rows;
+    const int fluid = columns_.twist(0), n = columns_.columns() - fluid;
+    const Rows &form = columns_.form(), of_twists = free_.bottomRows(n);
+    std::vector<int> end{0}, column;
+    std::vector<double> factor;
+    Row row;
+    for (int k = 0; k < form.rows(); ++k) {
+        row = {};
+        for (typename Rows::InnerIterator entry(form, k); entry; ++entry)
+            if (entry.col() < fluid) {
+                column.push_back(static_cast<int>(entry.col()));
+                factor.push_back(entry.value());
+            } else
+                for (typename Rows::InnerIterator of(of_twists, entry.col() - fluid); of; ++of)
+                    row.add(static_cast<int>(of.col()), entry.value() * of.value());
+        row.merge();
+        for (const Term& term : row.terms()) {
+            column.push_back(term.column);
+            factor.push_back(term.factor);
+        }
+        end.push_back(static_cast<int>(column.size()));
+    }
+    return Eigen::Map<const Rows>(form.rows(), free_.cols(), static_cast<Eigen::Index>(column.size()), end.data(),
+                                  column.data(), factor.data());
+}
+
 template <int D>
 void ViscousSolve<D>::set_up_projected(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass,
                                        const std::vector<int>& given)
@@ -160,7 +207,7 @@ void ViscousSolve<D>::set_up_projected(const Placed<D>& at, const std::vector<Tw
     using Rows = typename ViscousColumns<D>::Rows;
     const Eigen::Index n = free_.cols() - columns_.twist(0);
     const Matrix motions = free_.rightCols(n);
-    const Rows form_of = columns_.form() * Rows(free_);
+    const Rows form_of = form_of_unknowns();
     ViscousProduct<D> product(columns_.of_form(), form_of, factor_, columns_.edges(),
                               Matrix(Matrix(motions.transpose()) * mass_ * motions) + Matrix(hold_.bottomRightCorner(n, n)));
     ViscousProjection<D> projection(at, columns_, form_of, diagonal, body_block(at, mass, product.friction_of_bodies()),
@@ -175,8 +222,6 @@ void ViscousSolve<D>::find_mass(const Placed<D>& at, const std::vector<TwistMatr
     constexpr int T = twist_size<D>;
     const Coupling<D>& coupling = at.coupling;
     std::vector<Eigen::Triplet<double>> entries;
-    for (int edge = 0; edge < columns_.edges(); ++edge)
-        entries.emplace_back(edge, edge, 1);
     for (int s = 0; s < static_cast<int>(coupling.solids.size()); ++s) {
         TwistMatrix<D> M = coupling.seen_mass[s];
         if (coupling.free_body[s] >= 0)
@@ -191,8 +236,7 @@ void ViscousSolve<D>::find_mass(const Placed<D>& at, const std::vector<TwistMatr
                 for (int i = 0; i < T; ++i)
                     for (int j = 0; j < T; ++j)
                         entries.emplace_back(columns_.twist(a, i), columns_.twist(b, j), gap.mass * row_a[i] * row_b[j]);
-    mass_.resize(columns_.columns(), columns_.columns());
-    mass_.setFromTriplets(entries.begin(), entries.end());
+    mass_ = ones_and(columns_.edges(), entries, columns_.columns(), columns_.columns());
 }
 
 template <int D>
@@ -202,8 +246,6 @@ void ViscousSolve<D>::find_free(const Placed<D>& at, const std::vector<TwistMatr
     const Coupling<D>& coupling = at.coupling;
     const int fluid = columns_.twist(0);
     std::vector<Eigen::Triplet<double>> entries, hold;
-    for (int k = 0; k < fluid; ++k)
-        entries.emplace_back(k, k, 1);
     int bodies = 0;
     for (int s = 0; s < static_cast<int>(coupling.solids.size()); ++s) {
         if (coupling.free_body[s] < 0)
@@ -217,8 +259,7 @@ void ViscousSolve<D>::find_free(const Placed<D>& at, const std::vector<TwistMatr
                 hold.emplace_back(first + i, first + j, rest(i, j));
             }
     }
-    free_.resize(columns_.columns(), fluid + T * bodies);
-    free_.setFromTriplets(entries.begin(), entries.end());
+    free_ = ones_and(fluid, entries, columns_.columns(), fluid + T * bodies);
     hold_.resize(free_.cols(), free_.cols());
     hold_.setFromTriplets(hold.begin(), hold.end());
 }

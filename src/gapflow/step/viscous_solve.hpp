@@ -59,6 +59,7 @@ private:
 
     void find_mass(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass);
     void find_free(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass);
+    typename ViscousColumns<D>::Rows form_of_unknowns() const;
     void set_up_direct(const std::vector<int>& given);
     void set_up_projected(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass, const std::vector<int>& given);
     Stage solve_direct(const Vector& base, const Vector& load, const GivenRows* rows) const;
