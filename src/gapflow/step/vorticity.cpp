@@ -253,7 +253,10 @@ FaceField<D> TurnedRemainder<D>::turning(const FaceField<D>& flux, const FaceFie
 template <int D>
 void TurnedRemainder<D>::find_heads(const Instant<D>* end)
 {
-    if (!has_exits())
+    bool open = false;
+    for (int side = 0; side < 2 * D; ++side)
+        open = open || is_open(grid().side(side / 2, side % 2));
+    if (!has_exits() || !open)
         return;
     heads_ = FaceField<D>(grid());
     for (const auto& [share, weight] : {std::pair(0.0, 1.0 / 6), std::pair(0.5, 2.0 / 3), std::pair(1.0, 1.0 / 6)})
