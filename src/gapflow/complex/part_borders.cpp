@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace gapflow {
 
@@ -75,6 +77,35 @@ template <int D>
 std::int32_t kind_of(const BorderChord& chord, const std::vector<PlacedSolid<D>>& solids)
 {
     return chord.solid < 0 ? PartFace<D>::open : chord.fin >= 0 ? PartFace<D>::dividing : solids[chord.solid].solid;
+}
+
+/// Loops of a piece of a face; `of`: the chords of the first one from its points.
+void find_loops(std::span<const BorderChord> chords, int piece, std::vector<std::vector<Vec<2>>>& loops,
+                std::vector<const BorderChord*>& of)
+{
+    loops.clear();
+    of.clear();
+    std::vector<const BorderChord*> all;
+    Vec<2> last = Vec<2>::Constant(std::numeric_limits<double>::quiet_NaN());
+    for (const BorderChord& chord : chords) {
+        if (chord.piece != piece)
+            continue;
+        if (chord.from != last)
+            loops.emplace_back();
+        last = chord.to;
+        if (chord.from == chord.to)
+            continue;
+        loops.back().push_back(chord.from);
+        all.push_back(&chord);
+    }
+    std::size_t before = 0;
+    for (const std::vector<Vec<2>>& loop : loops) {
+        if (loop.size() >= 3 && of.empty())
+            of.assign(all.begin() + static_cast<std::ptrdiff_t>(before),
+                      all.begin() + static_cast<std::ptrdiff_t>(before + loop.size()));
+        before += loop.size();
+    }
+    std::erase_if(loops, [](const auto& loop) { return loop.size() < 3; });
 }
 
 /// A chord of a wall on a face of a cell, with the face outside at its right: as the wall's polygon has it.
@@ -194,6 +225,8 @@ PartBorders<3> part_borders(const Grid<3>&, const GridPlanes<3>& planes, const C
         y[v_axis<3>(d)] = x[1];
         return y;
     };
+    std::vector<std::vector<Vec<2>>> loops;
+    std::vector<const BorderChord*> loop_chords;
     // Place of a face, as the cell on its side 0 (below) or 1 has it.
     const auto place = [&](int d, int plane, int side) {
         return planes
@@ -206,39 +239,39 @@ PartBorders<3> part_borders(const Grid<3>&, const GridPlanes<3>& planes, const C
             const int d = face.axis;
             retrace.of(cut.slabs[s], face);
             const std::span<const BorderChord> chords = retrace.chords();
-            for (int piece = 0; piece < face.pieces; ++piece)
+            for (int piece = 0; piece < face.pieces; ++piece) {
+                find_loops(chords, piece, loops, loop_chords);
                 for (int side = 0; side < 2; ++side) {
                     const PartOrCell part = parts_beside[s][face.piece + piece][side];
                     if (!part.exists())
                         continue;
                     const double at = place(d, complex.index.index(face.id)[d], side);
-                    std::vector<std::vector<Vec<3>>> loops;
-                    Vec<2> last = Vec<2>::Constant(std::numeric_limits<double>::quiet_NaN());
                     for (const BorderChord& chord : chords) {
-                        if (chord.piece != piece)
+                        if (chord.piece != piece || chord.from == chord.to || chord.solid < 0 ||
+                            (chord.fin >= 0 && !(retrace.line(chord.fin).sides >> side & 1)))
                             continue;
                         const Vec<3> from = in_space(d, at, chord.from), to = in_space(d, at, chord.to);
-                        if (chord.from != last)
-                            loops.push_back({});
-                        last = chord.to;
-                        if (chord.from == chord.to)
-                            continue;
-                        loops.back().push_back(from);
-                        if (chord.solid < 0 || (chord.fin >= 0 && !(retrace.line(chord.fin).sides >> side & 1)))
-                            continue;
                         const int edge = chord.fin >= 0 ? retrace.line(chord.fin).edge : -1;
                         walls[part.number()].push_back(
                             {side == 0 ? to : from, side == 0 ? from : to, kind_of(chord, solids), chord.solid, edge});
                     }
-                    std::erase_if(loops, [](const auto& loop) { return loop.size() < 3; });
                     if (loops.empty())
                         continue;
-                    PartFace<3> polygon{part.number(), PartFace<3>::open, -1, with_holes<3>(loops)};
-                    for (std::size_t k = 0; k < polygon.points.size(); ++k) {
-                        const Vec<3>&from = polygon.points[k], &to = polygon.points[(k + 1) % polygon.points.size()];
+                    PartFace<3> polygon{part.number(), PartFace<3>::open, -1, {}};
+                    const std::vector<Vec<2>> joined = loops.size() > 1 ? with_holes<2>(loops) : std::vector<Vec<2>>();
+                    const std::vector<Vec<2>>& outline = loops.size() > 1 ? joined : loops[0];
+                    polygon.points.reserve(outline.size());
+                    polygon.sides.reserve(outline.size());
+                    for (std::size_t k = 0; k < outline.size(); ++k) {
+                        const Vec<2>&from = outline[k], &to = outline[k + 1 < outline.size() ? k + 1 : 0];
+                        polygon.points.push_back(in_space(d, at, from));
                         polygon.sides.push_back(PartFace<3>::dividing);
+                        if (loops.size() == 1 && loop_chords[k]->to == to) {
+                            polygon.sides.back() = kind_of(*loop_chords[k], solids);
+                            continue;
+                        }
                         for (const BorderChord& chord : chords)
-                            if (chord.piece == piece && in_space(d, at, chord.from) == from && in_space(d, at, chord.to) == to)
+                            if (chord.piece == piece && chord.from == from && chord.to == to)
                                 polygon.sides.back() = kind_of(chord, solids);
                     }
                     if (side == 1) {
@@ -247,6 +280,7 @@ PartBorders<3> part_borders(const Grid<3>&, const GridPlanes<3>& planes, const C
                     }
                     of_part[part.number()].push_back(std::move(polygon));
                 }
+            }
         }
     // Wholly open faces of cut cells.
     std::map<std::pair<int, int>, const FacePiece<3>*> astray;

@@ -194,9 +194,18 @@ double work_of_fluxes(const Coupling<D>& coupling, const FaceField<D>& flux, con
 {
     const Grid<D>& grid = *coupling.grid;
     double sum = 0;
-    for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
-                          [&](const Index<D>& f) { sum += flux(axis, f) * face_length(grid, axis, f) * velocity(axis, f); });
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> end = owned_faces_end(grid, axis);
+        for_each_row<D>(grid.low(), end, [&](const Index<D>& first) {
+            const double *q = &flux(axis, first), *u = &velocity(axis, first);
+            const SpreadRow<D> spread(grid, axis, first);
+            Index<D> f = first;
+            for (int i = 0; f[0] < end[0]; ++i, ++f[0]) {
+                const bool in_side = f[axis] == 0 || f[axis] == grid.cells()[axis];
+                sum += q[i] * (in_side ? face_length(grid, axis, f) : grid.dx() * spread[i]) * u[i];
+            }
+        });
+    }
     return coupling.density * grid.face_area() * grid.comm().sum(sum);
 }
 

@@ -13,57 +13,142 @@
 namespace gapflow {
 namespace {
 
-/// Four faces meet at an edge of the grid (2D: a vertex) normal to the axes a and b: those around the low corner of cell v.
+/// Edges of the grid (2D: vertices) in a row along the first axis, normal to the axes a < b, at the low corners of cells. Four faces meet at each inside the domain.
 template <int D>
-struct AroundEdge {
-    std::array<Index<D>, 2> of_a, of_b;
-    AroundEdge(int a, int b, const Index<D>& v) : of_a{Index<D>(v - step<D>(b)), v}, of_b{Index<D>(v - step<D>(a)), v} {}
+struct EdgeRow {
+    int a, b;
+    Index<D> first;
+    int n;
 
-    double curl(const Grid<D>& grid, int a, int b, const FaceField<D>& w) const
+    /// f(i) for those that do not lie in sides of the domain.
+    template <class F>
+    void for_each_inner(const Grid<D>& grid, const F& f) const
     {
-        return (w(a, of_a[0]) - w(a, of_a[1])) / face_length(grid, b, of_b[1]) +
-               (w(b, of_b[1]) - w(b, of_b[0])) / face_length(grid, a, of_a[1]);
+        for (const int axis : {a, b})
+            if (axis > 0 && !grid.periodic(axis) && !(first[axis] > 0 && first[axis] < grid.cells()[axis]))
+                return;
+        const bool ends = a == 0 && !grid.periodic(0);
+        const int begin = ends ? std::max(0, 1 - first[0]) : 0, end = ends ? std::min(n, grid.cells()[0] - first[0]) : n;
+#pragma omp simd
+        for (int i = begin; i < end; ++i)
+            f(i);
+    }
+    /// Over that in the core; 1 in 2D.
+    double length(const Grid<D>& grid, int i) const
+    {
+        double length = 1;
+        for (int axis = 0; axis < D && grid.graded(); ++axis)
+            length *= axis == a || axis == b ? 1.0 : grid.width(axis, first[axis] + (axis == 0 ? i : 0));
+        return length;
+    }
+    /// A component's values at the two faces that meet at each edge: those below it along the other axis, and those beside it.
+    std::array<const double*, 2> values(const FaceField<D>& field, int component) const
+    {
+        const double* at = &field(component, first);
+        return {at - field[component].block().stride[component == a ? b : a], at};
     }
 };
 
-/// f(around, a, b, v) for the edges of the grid beside this rank's cells, but those in sides of the domain.
-template <int D, class F>
-void for_each_edge(const Grid<D>& grid, const F& f)
-{
-    for (int a = 0; a < D; ++a)
-        for (int b = a + 1; b < D; ++b)
-            for_each_index<D>(grid.low(), grid.high() + step<D>(a) + step<D>(b), [&](const Index<D>& v) {
-                const auto within = [&](int axis) {
-                    return grid.periodic(axis) || (v[axis] > 0 && v[axis] < grid.cells()[axis]);
-                };
-                if (within(a) && within(b))
-                    f(AroundEdge<D>(a, b, v), a, b, v);
-            });
-}
-
-/// Length of an edge over that in the core; 1 in 2D.
+/// A factor of each edge in a plane of the last index; 0 in sides of the domain.
 template <int D>
-double edge_length(const Grid<D>& grid, int a, int b, const Index<D>& v)
+class EdgePlane {
+public:
+    EdgePlane(const Grid<D>& grid, int a, int b) : grid_(&grid), a_(a), b_(b)
+    {
+        for (int axis = 0, stride = 1; axis < D - 1; stride *= grid.high()[axis] - grid.low()[axis] + 1, ++axis)
+            stride_[axis] = stride;
+        values_.resize((grid.high() - grid.low() + Index<D>::Ones()).template head<D - 1>().prod());
+    }
+    bool is_within() const { return b_ < D - 1; } ///< whether planes of faces have all their edges in one
+    /// omega(row) is a function of the number of an edge in the row.
+    template <class F>
+    void find(int plane, const F& omega)
+    {
+        std::fill(values_.begin(), values_.end(), 0.0);
+        const Index<D> end = grid_->high() + step<D>(a_) + step<D>(b_);
+        for_each_row_of_plane<D>(grid_->low(), end, plane, [&](const Index<D>& first) {
+            const EdgeRow<D> row{a_, b_, first, end[0] - first[0]};
+            double* values = values_.data() + offset(first);
+            const auto at = omega(row);
+            if (grid_->graded())
+                row.for_each_inner(*grid_, [&](int i) { values[i] = 0.25 * at(i) / row.length(*grid_, i); });
+            else
+                row.for_each_inner(*grid_, [&](int i) { values[i] = 0.25 * at(i); });
+        });
+    }
+    const double* row(const Index<D>& first) const { return values_.data() + offset(first); }
+
+private:
+    long offset(const Index<D>& first) const { return (first - grid_->low()).template head<D - 1>().dot(stride_); }
+
+    const Grid<D>* grid_;
+    int a_, b_;
+    Eigen::Matrix<int, D - 1, 1> stride_;
+    LargeVector<double> values_;
+};
+
+/// v x omega on a row of faces normal to `axis`, of the edges at their low and high sides along another axis. Half of each face's flux passes an edge, to either side of it.
+template <int D>
+void add_turned(const Grid<D>& grid, const Index<D>& first, int axis, int along, const double* low, const double* high,
+                const FaceField<D>& flux, FaceField<D>& result)
 {
-    double length = 1;
-    for (int axis = 0; axis < D; ++axis)
-        length *= axis == a || axis == b ? 1.0 : grid.width(axis, v[axis]);
-    return length;
+    const int n = grid.high()[0] - first[0];
+    const double sign = axis < along ? 1 : -1;
+    const Index<D>& stride = flux[along].block().stride;
+    const double *near = &flux(along, first), *below = near - stride[axis], *far = near + stride[along],
+                 *far_below = far - stride[axis];
+    double* to = &result(axis, first);
+    const auto add = [&](const auto& spread) {
+#pragma omp simd
+        for (int i = 0; i < n; ++i) {
+            const double l = sign * low[i] / spread(i), h = sign * high[i] / spread(i);
+            double sum = to[i];
+            sum += l * below[i];
+            sum += l * near[i];
+            sum += h * far_below[i];
+            sum += h * far[i];
+            to[i] = sum;
+        }
+    };
+    if (!grid.graded())
+        return add([](int) { return 1.0; });
+    const SpreadRow<D> spread(grid, axis, first);
+    add([&](int i) { return spread[i]; });
 }
 
-/// v x omega of omega(around, a, b, v) at each edge. Half of each face's flux passes an edge, to either side of it.
+/// v x omega of omega(row)(i) at each edge.
 template <int D, class F>
 FaceField<D> turned(const Grid<D>& grid, const FaceField<D>& flux, const F& omega)
 {
+    constexpr int last = D - 1;
     FaceField<D> result(grid);
-    for_each_edge(grid, [&](const AroundEdge<D>& around, int a, int b, const Index<D>& v) {
-        const double factor = 0.25 * omega(around, a, b, v) / edge_length(grid, a, b, v);
-        for (const Index<D>& fa : around.of_a)
-            for (const Index<D>& fb : around.of_b) {
-                result(a, fa) += factor / grid.spread(a, fa[a]) * flux(b, fb);
-                result(b, fb) -= factor / grid.spread(b, fb[b]) * flux(a, fa);
-            }
-    });
+    std::vector<EdgePlane<D>> here, next; // of each pair of axes
+    for (int a = 0; a < D; ++a)
+        for (int b = a + 1; b < D; ++b) {
+            here.emplace_back(grid, a, b);
+            next.emplace_back(grid, a, b);
+        }
+    const int begin = grid.low()[last], end = grid.high()[last];
+    for (EdgePlane<D>& plane : here)
+        plane.find(begin, omega);
+    for (int plane = begin; plane < end; ++plane) {
+        for (EdgePlane<D>& edges : next)
+            if (plane + 1 < end || !edges.is_within())
+                edges.find(plane + 1, omega);
+        for_each_row_of_plane<D>(grid.low(), grid.high(), plane, [&](const Index<D>& first) {
+            for (int axis = 0; axis < D; ++axis)
+                for (int along = 0; along < D; ++along) {
+                    if (along == axis)
+                        continue;
+                    const int pair = D == 2 ? 0 : axis + along - 1;
+                    const double* high = along == 0      ? here[pair].row(first) + 1
+                                         : along == last ? next[pair].row(first)
+                                                         : here[pair].row(first + step<D>(along));
+                    add_turned(grid, first, axis, along, here[pair].row(first), high, flux, result);
+                }
+        });
+        std::swap(here, next);
+    }
     return result;
 }
 
@@ -104,9 +189,22 @@ ForceOfGrid<D> force_of_grid(const Coupling<D>& coupling, const FaceField<D>& fl
 template <int D>
 FaceField<D> vortex_impulse(const Grid<D>& grid, const FaceField<D>& flux, const FaceField<D>& remainder, double dt)
 {
-    return turned(grid, flux, [&](const AroundEdge<D>& around, int a, int b, const Index<D>&) {
-        return dt * around.curl(grid, a, b, remainder);
+    return turned(grid, flux, [&](const EdgeRow<D>& row) {
+        const std::array<const double*, 2> u = row.values(remainder, row.a), v = row.values(remainder, row.b);
+        const SpreadRow<D> across_a(grid, row.a, row.first), across_b(grid, row.b, row.first);
+        return [=, dx = grid.dx()](int i) {
+            return dt * ((u[0][i] - u[1][i]) / (dx * across_b[i]) + (v[1][i] - v[0][i]) / (dx * across_a[i]));
+        };
     });
+}
+
+template <int D>
+TurnedRemainder<D>::TurnedRemainder(const Instant<D>& old, const Placed<D>& there, const SolverOptions& options,
+                                    const Vec<D>& beyond, const Vec<D>& grid_velocity, double dt)
+    : old_(old), there_(there), options_(options), beyond_(beyond - grid_velocity), grid_velocity_(grid_velocity), dt_(dt)
+{
+    if (grid_moves())
+        grid_flux_ = flux_of_velocity<D>(grid(), grid_velocity_);
 }
 
 template <int D>
@@ -155,7 +253,10 @@ FaceField<D> TurnedRemainder<D>::turning(const FaceField<D>& flux, const FaceFie
 template <int D>
 void TurnedRemainder<D>::find_heads(const Instant<D>* end)
 {
-    if (!has_exits())
+    bool open = false;
+    for (int side = 0; side < 2 * D; ++side)
+        open = open || is_open(grid().side(side / 2, side % 2));
+    if (!has_exits() || !open)
         return;
     heads_ = FaceField<D>(grid());
     for (const auto& [share, weight] : {std::pair(0.0, 1.0 / 6), std::pair(0.5, 2.0 / 3), std::pair(1.0, 1.0 / 6)})
@@ -170,17 +271,19 @@ std::pair<FaceField<D>, FaceField<D>> TurnedRemainder<D>::sub_steps(const Instan
     const double dt = dt_ / steps;
     if (grid_moves())
         exits_ = FaceField<D>(grid());
+    double share = 0;
+    FaceField<D> flux = flux_at(end, share), at, rate;
     for (int k = 0; k < steps; ++k) {
         if (2 * k == steps)
             half = w;
         const FaceField<D> start = w;
-        FaceField<D> rate;
         for (const auto& [way, weight] :
              {std::pair(0.0, 1.0 / 6), std::pair(0.5, 1.0 / 3), std::pair(0.5, 1.0 / 3), std::pair(1.0, 1.0 / 6)}) {
-            FaceField<D> at = start;
+            at = start;
             if (way > 0)
                 add(at, way, rate);
-            const FaceField<D> flux = flux_at(end, (k + way) / steps);
+            if (const double now = (k + way) / steps; now != share && (end || curve_[0].size() > 0))
+                flux = flux_at(end, share = now);
             rate = turning(flux, at, dt);
             add(w, weight, rate);
             if (grid_moves())
@@ -212,12 +315,16 @@ void TurnedRemainder<D>::take_work(const Instant<D>& end, FaceField<D>& w) const
     add(change, -1, old_.flux);
     for (const FaceField<D>* part : {&std::as_const(change), &std::as_const(curve_)})
         if ((*part)[0].size() > 0)
-            add(by, 1, turned(grid(), *part, [&](const AroundEdge<D>& around, int a, int b, const Index<D>& v) {
-                    double sum = 0;
-                    for (const Index<D>& fa : around.of_a)
-                        for (const Index<D>& fb : around.of_b)
-                            sum += mean(a, fa) * (*part)(b, fb) - mean(b, fb) * (*part)(a, fa);
-                    return sum / edge_length(grid(), a, b, v);
+            add(by, 1, turned(grid(), *part, [&](const EdgeRow<D>& row) {
+                    const std::array<const double*, 2> mean_a = row.values(mean, row.a), mean_b = row.values(mean, row.b),
+                                                       part_a = row.values(*part, row.a), part_b = row.values(*part, row.b);
+                    return [=, &row, &grid = grid()](int i) {
+                        double sum = 0;
+                        for (int a = 0; a < 2; ++a)
+                            for (int b = 0; b < 2; ++b)
+                                sum += mean_a[a][i] * part_b[b][i] - mean_b[b][i] * part_a[a][i];
+                        return sum / row.length(grid, i);
+                    };
                 }));
     const double all = work_of_fluxes(there_.coupling, mean, by);
     if (all > 0)
@@ -244,7 +351,7 @@ double TurnedRemainder<D>::work_of_grid(const Instant<D>& end) const
     FaceField<D> gain = end.flow.remainder.faces;
     for (const FaceField<D>* without : {&old_.flow.remainder.faces, &heads_, &exits_})
         add(gain, -1, *without);
-    return -work_of_fluxes(there_.coupling, flux_of_velocity<D>(grid(), grid_velocity_), gain);
+    return -work_of_fluxes(there_.coupling, grid_flux_, gain);
 }
 
 template <int D>
@@ -258,7 +365,7 @@ FaceField<D> TurnedRemainder<D>::flux_at(const Instant<D>* end, double share) co
     if (curve_[0].size() > 0)
         add(flux, 4 * share * (1 - share), curve_);
     if (grid_moves())
-        add(flux, -1, flux_of_velocity<D>(grid(), grid_velocity_));
+        add(flux, -1, grid_flux_);
     return flux;
 }
 
@@ -270,7 +377,7 @@ FaceField<D> TurnedRemainder<D>::mean_flux(const Instant<D>& end) const
         for (long i = 0; i < flux[axis].size(); ++i)
             flux[axis].data()[i] = 0.5 * (flux[axis].data()[i] + end.flux[axis].data()[i]);
     if (grid_moves())
-        add(flux, -1, flux_of_velocity<D>(grid(), grid_velocity_));
+        add(flux, -1, grid_flux_);
     return flux;
 }
 
@@ -281,8 +388,14 @@ double TurnedRemainder<D>::courant(const FaceField<D>& flux) const
     double sum = 0;
     for (int axis = 0; axis < D; ++axis) {
         double most = 0;
-        for_each_index<D>(grid().low(), owned_faces_end(grid(), axis), [&](const Index<D>& f) {
-            most = std::max(most, std::abs(flux(axis, f)) / (grid().relative_area(axis, f) * grid().spread(axis, f[axis])));
+        const Index<D> low = grid().low(), end = owned_faces_end(grid(), axis);
+        for_each_row<D>(low, end, [&](const Index<D>& first) {
+            const double* values = &flux(axis, first);
+            Index<D> f = first;
+            for (int i = 0; i < end[0] - low[0]; ++i, ++f[0])
+                most = std::max(most, grid().graded()
+                                          ? std::abs(values[i]) / (grid().relative_area(axis, f) * grid().spread(axis, f[axis]))
+                                          : std::abs(values[i]));
         });
         sum += grid().comm().max(most);
     }

@@ -26,12 +26,9 @@ ForceOfGrid<D> force_of_grid(const Coupling<D>& coupling, const FaceField<D>& fl
 template <int D>
 class TurnedRemainder {
 public:
-    /// `old` and `there`, the places at the end, must outlive it. `beyond`: velocity of the fluid beyond open sides; `grid_velocity`: of the grid.
+    /// `old` and `there`, the places at the end, must outlive it. `beyond`: velocity of the fluid beyond open sides; `grid_velocity`: of the grid. Collective.
     TurnedRemainder(const Instant<D>& old, const Placed<D>& there, const SolverOptions& options, const Vec<D>& beyond,
-                    const Vec<D>& grid_velocity, double dt)
-        : old_(old), there_(there), options_(options), beyond_(beyond - grid_velocity), grid_velocity_(grid_velocity), dt_(dt)
-    {
-    }
+                    const Vec<D>& grid_velocity, double dt);
 
     /// `end`: the step's end as found so far; null: the flux stays that of the start. Goes on in sub-steps of one cell with the flux at their times: linear between the
     /// ends, and with several of them a parabola, for which the flux that the vorticity has half-way is found by a solve. The mean flux of both ends over the grid does no
@@ -65,9 +62,10 @@ private:
     Vec<D> beyond_; ///< over the grid
     Vec<D> grid_velocity_;
     double dt_;
-    FaceField<D> heads_; ///< what heads in open sides add; empty: nothing
-    FaceField<D> exits_; ///< the same by vorticity that leaves there, of a grid that moves; empty: not known
-    FaceField<D> curve_; ///< of the flux half-way, over the mean of both ends; empty: none
+    FaceField<D> grid_flux_; ///< of its velocity; empty: none
+    FaceField<D> heads_;     ///< what heads in open sides add; empty: nothing
+    FaceField<D> exits_;     ///< the same by vorticity that leaves there, of a grid that moves; empty: not known
+    FaceField<D> curve_;     ///< of the flux half-way, over the mean of both ends; empty: none
 };
 
 } // namespace gapflow

@@ -4,6 +4,7 @@
 #include "gapflow/viscous/parameters.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 
 namespace gapflow {
@@ -48,25 +49,48 @@ void open_columns_at_sides(const Grid<D>& grid, const DenseIndex<D>& index, std:
 template <int D>
 std::vector<std::uint8_t> find_layers(const Grid<D>& grid, const Complex<D>& complex)
 {
+    constexpr int layers = viscous_parameters.layers;
     const DenseIndex<D>& index = complex.index;
-    std::vector<std::uint8_t> layer(index.count, viscous_parameters.layers);
-    for_each_index<D>(index.low, index.high(), [&](const Index<D>& c) {
-        bool near = complex.cell[index(c)] != Complex<D>::open;
-        for (int axis = 0; axis < D; ++axis)
-            near = near || (is_closed(grid, axis, 0) && c[axis] == 0 && !has_wall_rows(grid, axis)) ||
-                   (is_closed(grid, axis, 1) && c[axis] == grid.cells()[axis] - 1 && !has_wall_rows(grid, axis));
-        if (near)
-            layer[index(c)] = 0;
+    const int n = index.size[0] - 1;
+    std::vector<std::uint8_t> layer(index.count, layers);
+    const auto is_side = [&](int axis, int c) {
+        return !has_wall_rows(grid, axis) &&
+               ((c == 0 && is_closed(grid, axis, 0)) || (c == grid.cells()[axis] - 1 && is_closed(grid, axis, 1)));
+    };
+    for_each_row<D>(index.low, index.high(), [&](const Index<D>& row) {
+        const int id = index(row);
+        bool side = false;
+        for (int axis = 1; axis < D; ++axis)
+            side = side || is_side(axis, row[axis]);
+        for (int i = 0; i < n; ++i)
+            if (side || complex.cell[id + i] != Complex<D>::open)
+                layer[id + i] = 0;
+        for (const int i : {0, n - 1})
+            if (is_side(0, row[0] + i))
+                layer[id + i] = 0;
     });
     // A box around each cell, one axis after the other.
+    std::vector<std::uint8_t> padded(n + 2 * layers);
     for (int axis = 0; axis < D; ++axis) {
         const std::vector<std::uint8_t> before = layer;
-        for_each_index<D>(index.low, index.high(), [&](const Index<D>& c) {
-            std::uint8_t& here = layer[index(c)];
-            for (int k = -viscous_parameters.layers; k <= viscous_parameters.layers; ++k) {
-                const Index<D> other = index.wrapped(Index<D>(c + k * step<D>(axis)));
-                if (index.holds(other))
-                    here = std::min<std::uint8_t>(here, std::max<int>(before[index(other)], std::abs(k)));
+        for_each_row<D>(index.low, index.high(), [&](const Index<D>& row) {
+            std::uint8_t* here = &layer[index(row)];
+            const auto spread = [&](const std::uint8_t* from, int distance) {
+                for (int i = 0; i < n; ++i)
+                    here[i] =
+                        std::min<std::uint8_t>(here[i], std::max<std::uint8_t>(from[i], static_cast<std::uint8_t>(distance)));
+            };
+            if (axis == 0)
+                for (int i = -layers; i < n + layers; ++i) {
+                    const Index<D> other = index.wrapped(Index<D>(row + i * step<D>(0)));
+                    padded[i + layers] = i >= 0 && i < n ? here[i] : index.holds(other) ? before[index(other)] : layers;
+                }
+            for (int k = -layers; k <= layers; ++k) {
+                const Index<D> other = index.wrapped(Index<D>(row + k * step<D>(axis)));
+                if (axis == 0)
+                    spread(&padded[layers + k], std::abs(k));
+                else if (index.holds(other))
+                    spread(&before[index(other)], std::abs(k));
             }
         });
     }
@@ -105,6 +129,9 @@ FluidCells<D> find_fluid_cells(const Grid<D>& grid, const Complex<D>& complex)
         cells.grid_cell.push_back(complex.cut_cell[complex.part_cell[part]]);
         cells.whole.push_back(false);
     }
+    const auto open = static_cast<std::size_t>(std::ranges::count(complex.cell, Complex<D>::open));
+    cells.grid_cell.reserve(cells.grid_cell.size() + open);
+    cells.whole.reserve(cells.whole.size() + open);
     cells.of_whole.assign(complex.index.count, -1);
     for_each_index<D>(complex.index.low, complex.index.high(), [&](const Index<D>& c) {
         const int number = complex.index(c);

@@ -192,6 +192,7 @@ FormBuilder<D>::FormBuilder(const Grid<D>& grid, std::span<const Solid<D>> solid
         periodic_ = periodic_ || grid.periodic(axis);
     form_.solids = static_cast<int>(solids.size());
     find_sides();
+    find_widths();
     for (int axis = 0; axis < D; ++axis)
         vertex_trace_[axis].assign(index_.count, -1);
 }
@@ -202,28 +203,34 @@ ViscousForm<D> FormBuilder<D>::build()
     form_.cells = find_fluid_cells(grid_, complex_);
     find_walls();
     find_faces();
-    for (FormFace<D>& face : form_.faces) {
-        face.polygon_area = face.area;
-        face.polygon_centroid = face.centroid;
-    }
     find_borders();
     find_gaps();
-    moment_.resize(form_.faces.size());
-    whole_element_.assign(form_.faces.size(), -1);
     find_lattice();
-    for (std::size_t face = 0; face < form_.faces.size(); ++face) {
-        if (form_.faces[face].compact)
-            add_compact(static_cast<std::int32_t>(face));
-        else
-            add_face(static_cast<std::int32_t>(face));
-        form_.row_face.resize(form_.squares.rows(), static_cast<std::int32_t>(face));
-    }
-    for (int cell = 0; cell < form_.cells.count(); ++cell)
+    find_uneven_cells();
+    element_.assign(form_.faces.size(), -1);
+    const auto faces = static_cast<std::int32_t>(form_.faces.size());
+    form_.traces.reserve(3 * (faces - std::ranges::count(compact_, 1))); // an estimate
+    for (std::int32_t face = 0; face < faces; ++face)
+        if (!compact_[face] || !regular_[face]) {
+            if (compact_[face])
+                add_at_sides(face);
+            else
+                add_face(face);
+            form_.row_face.resize(form_.squares.rows(), face);
+        }
+    for (std::int32_t cell = 0; cell < cut_cells(); ++cell)
         add_along(cell);
+    for (const UnevenCell& of : uneven_cells_) {
+        if constexpr (D == 3)
+            if (add_whole_along(of))
+                continue;
+        add_along(of.cell);
+    }
     const std::int64_t first_of_gaps = form_.squares.rows();
     form_.row_face.resize(first_of_gaps, -1);
     add_gaps();
     form_.gap_rows = {first_of_gaps, form_.squares.rows()};
+    add_flat_rows();
     add_outflow();
     add_rotation();
     drop_unused_traces();
@@ -274,45 +281,102 @@ Vec<D> FormBuilder<D>::arm(std::int32_t solid, const Vec<D>& x) const
     return best;
 }
 
-template <int D>
-Row FormBuilder<D>::velocity(std::int32_t face) const
-{
-    Row row;
-    row.add(face, 1);
-    return row;
-}
-
 /// Columns of twists are numbered from -1 down until all traces are known.
 template <int D>
 Row FormBuilder<D>::of_solid(std::int32_t solid, const Vec<D>& x, int component) const
 {
+    Terms terms;
+    add_solid(solid, x, component, 1, terms);
     Row row;
-    add_twist(row, solid, wrench<D>(unit<D>(component), arm(solid, x)));
+    for (const Term& term : terms)
+        row.add(term.column, term.factor);
     return row;
 }
 
 template <int D>
-void FormBuilder<D>::add_twist(Row& row, std::int32_t solid, const Twist<D>& factor)
+void FormBuilder<D>::add_solid(std::int32_t solid, const Vec<D>& x, int component, double factor, Terms& to) const
+{
+    add_twist(solid, wrench<D>(unit<D>(component), arm(solid, x)), factor, to);
+}
+
+template <int D>
+void FormBuilder<D>::add_twist(std::int32_t solid, const Twist<D>& twist, double factor, Terms& to)
 {
     for (int k = 0; k < twist_size<D>; ++k)
-        if (factor[k] != 0)
-            row.add(-1 - twist_size<D> * solid - k, factor[k]);
+        if (twist[k] != 0)
+            to.push_back({-1 - twist_size<D> * solid - k, factor * twist[k]});
 }
 
 template <int D>
-Row FormBuilder<D>::of_point(const BorderPoint<D>& point, int component)
+void FormBuilder<D>::add_point(const BorderPoint<D>& point, int component, double factor, Terms& to)
 {
     if (point.solid >= 0)
-        return of_solid(point.solid, point.at, component);
-    if (point.vertex >= 0)
-        return of_vertex(point.vertex, component);
-    Row row;
-    row.add(new_trace(component, point.at), 1);
-    return row;
+        add_solid(point.solid, point.at, component, factor, to);
+    else if (point.vertex >= 0)
+        add_vertex(point.vertex, component, factor, to);
+    else
+        to.push_back({new_trace(component, point.at), factor});
+}
+
+void add(std::span<const Term> terms, RowList& to)
+{
+    for (const Term& term : terms) {
+        to.column.push_back(term.column);
+        to.factor.push_back(term.factor);
+    }
+    to.end.push_back(static_cast<std::int64_t>(to.column.size()));
+}
+
+void merge(std::vector<Term>& terms)
+{
+    std::sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) { return a.column < b.column; });
+    std::size_t n = 0;
+    for (const Term& term : terms)
+        if (n > 0 && terms[n - 1].column == term.column)
+            terms[n - 1].factor += term.factor;
+        else
+            terms[n++] = term;
+    terms.resize(n);
 }
 
 template <int D>
-Row FormBuilder<D>::between(int component, int across, const Index<D>& high) const
+void FormBuilder<D>::add_row(double weight, Terms& row)
+{
+    merge(row);
+    add_terms(weight, row);
+}
+
+template <int D>
+void FormBuilder<D>::add_terms(double weight, std::span<const Term> terms)
+{
+    SquareSum& to = form_.squares;
+    if (weight == 0 || terms.empty())
+        return;
+    for (const Term& term : terms) {
+        to.column.push_back(term.column);
+        to.factor.push_back(term.factor);
+    }
+    to.weight.push_back(weight);
+    to.end.push_back(static_cast<std::int64_t>(to.column.size()));
+}
+
+template <int D>
+void FormBuilder<D>::add_row(double weight, std::span<const std::int32_t> columns, std::span<const double> factors)
+{
+    if (weight == 0)
+        return;
+    SquareSum& to = form_.squares;
+    const bool zero = std::ranges::find(factors, 0.0) != factors.end();
+    if (zero)
+        return to.add(weight, columns, factors);
+    to.column.insert(to.column.end(), columns.begin(), columns.end());
+    to.factor.insert(to.factor.end(), factors.begin(), factors.end());
+    to.weight.push_back(weight);
+    to.end.push_back(static_cast<std::int64_t>(to.column.size()));
+}
+
+template <int D>
+void FormBuilder<D>::add_between(int component, int across, const Index<D>& high, double factor, Terms& to) const
 {
     std::array<std::int32_t, 4> face;
     std::array<double, 4> width;
@@ -321,39 +385,48 @@ Row FormBuilder<D>::between(int component, int across, const Index<D>& high) con
         Index<D> cell = g;
         cell[component] = std::min(g[component], index_.high()[component] - 1);
         face[k] = index_.holds(cell) ? whole_face_[component][index_(g)] : -1;
-        width[k] = face[k] < 0 ? 0 : planes_.place[across][g[across] + 1] - planes_.place[across][g[across]];
+        width[k] = face[k] < 0 ? 0 : width_[across][g[across] - index_.low[across]];
     }
     const bool uniform = std::abs(width[0] - width[1]) + std::abs(width[3] - width[2]) + std::abs(width[2] - width[1]) < 1e-9;
-    Row row;
     if (uniform) // half way between mean and cubic interpolation: the dissipation of a linear shear stress is exact
         for (int k = 0; k < 4; ++k)
-            row.add(face[k], k == 1 || k == 2 ? 13.0 / 24 : -1.0 / 24);
+            to.push_back({face[k], factor * (k == 1 || k == 2 ? 13.0 / 24 : -1.0 / 24)});
     else {
-        row.add(face[1], width[2] / (width[1] + width[2]));
-        row.add(face[2], width[1] / (width[1] + width[2]));
+        to.push_back({face[1], factor * width[2] / (width[1] + width[2])});
+        to.push_back({face[2], factor * width[1] / (width[1] + width[2])});
     }
-    return row;
 }
 
 template <int D>
 void FormBuilder<D>::add_outflow()
 {
-    std::vector<Row> walls(form_.cells.count());
+    std::vector<Terms> walls(cut_cells());
     for (int part = 0; part < complex_.parts(); ++part)
         for (const WallPatch<D>& patch : complex_.patches_of(part)) {
-            Row& row = walls[form_.cells.of_part[part]];
+            Terms& row = walls[form_.cells.of_part[part]];
             const std::int32_t first = -1 - twist_size<D> * patch.solid;
             for (int k = 0; k < D; ++k)
-                row.add(first - k, patch.area[k]);
+                row.push_back({first - k, patch.area[k]});
             for (int k = 0; k < spin_size<D>; ++k)
-                row.add(first - D - k, patch.moment[k]);
+                row.push_back({first - D - k, patch.moment[k]});
         }
-    for (int cell = 0; cell < form_.cells.count(); ++cell) {
-        Row& row = walls[cell];
+    RowList& rows = form_.outflow;
+    const std::size_t about = 2 * D * static_cast<std::size_t>(form_.cells.count());
+    rows.column.reserve(about);
+    rows.factor.reserve(about);
+    rows.end.reserve(form_.cells.count() + 1);
+    const auto add = [&](std::int32_t cell) {
+        terms_.clear();
+        if (cell < cut_cells())
+            terms_ = walls[cell];
         for (const CellFace& of : faces_of(cell))
-            row.add(of.face, of.sign * form_.faces[of.face].area);
-        form_.outflow.add(std::move(row));
-    }
+            terms_.push_back({of.face, of.sign * form_.faces[of.face].area});
+        merge(terms_);
+        gapflow::add(terms_, rows);
+    };
+    for (std::int32_t cell = 0; cell < cut_cells(); ++cell)
+        add(cell);
+    add_flat_outflow(add);
 }
 
 /// 2 |e|^2 - |grad u|^2 is the divergence of u . grad u - u div u, which on walls follows from their rotation: |omega|^2 of the solid's volume for each component normal
@@ -376,101 +449,6 @@ void FormBuilder<D>::add_rotation()
             row.add(-1 - twist_size<D> * static_cast<std::int32_t>(solid) - D - k, 1);
             form_.rotation.add(seen[solid][k], row);
         }
-}
-
-/// Those that no square has, as within gaps.
-template <int D>
-void FormBuilder<D>::drop_unused_traces()
-{
-    const std::int32_t first = form_.velocities();
-    std::vector<std::int32_t> number(form_.traces.size(), -1);
-    for (Row& row : derived_)
-        form_.derived.add(std::move(row));
-    const auto for_each_column = [&](const auto& f) {
-        for (std::vector<std::int32_t>* columns : {&form_.squares.column, &form_.derived.column})
-            for (std::int32_t& column : *columns)
-                f(column);
-        for (auto& columns : form_.whole.columns)
-            for (std::int32_t& column : columns)
-                f(column);
-    };
-    for_each_column([&](std::int32_t column) {
-        if (column >= first && column < first_derived)
-            number[column - first] = 0;
-    });
-    std::int32_t n = 0;
-    for (std::size_t k = 0; k < number.size(); ++k)
-        if (number[k] == 0) {
-            form_.traces[n] = form_.traces[k];
-            number[k] = n++;
-        }
-    form_.traces.resize(n);
-    const auto renumber = [&](std::int32_t& column) {
-        if (column >= first && column < first_derived)
-            column = first + number[column - first];
-    };
-    for_each_column(renumber);
-    for (auto& [trace, face] : trace_face_)
-        renumber(trace);
-}
-
-template <int D>
-void FormBuilder<D>::close_columns()
-{
-    const auto close = [&](std::int32_t& column) {
-        if (column >= first_moment)
-            column += form_.columns() + form_.derived.rows() - first_moment;
-        else if (column >= first_derived)
-            column += form_.columns() - first_derived;
-        else if (column < 0)
-            column = form_.unknowns() - 1 - column;
-    };
-    for (std::vector<std::int32_t>* columns :
-         {&form_.squares.column, &form_.rotation.column, &form_.outflow.column, &form_.derived.column})
-        std::for_each(columns->begin(), columns->end(), close);
-    for (auto& columns : form_.whole.columns)
-        std::for_each(columns.begin(), columns.end(), close);
-}
-
-/// Faces by traces, as a linear function has them: in a strip along a wall a trace goes with the strip's face.
-template <int D>
-void FormBuilder<D>::find_beside()
-{
-    const std::int32_t first = form_.velocities(), last = form_.unknowns();
-    std::sort(trace_face_.begin(), trace_face_.end());
-    trace_face_.erase(std::unique(trace_face_.begin(), trace_face_.end()), trace_face_.end());
-    std::vector<std::int64_t> begin(form_.traces.size() + 1, 0);
-    const auto for_each_pair = [&](const auto& f) {
-        for (const auto& columns : form_.whole.columns)
-            for (int k = 0; k < UnitFace::traces; ++k)
-                if (columns[k] < last)
-                    f(columns[k] - first, columns[UnitFace::traces]);
-        for (const auto& [trace, face] : trace_face_)
-            if (trace >= first)
-                f(trace - first, face);
-    };
-    for_each_pair([&](std::int32_t trace, std::int32_t) { ++begin[trace + 1]; });
-    for (std::size_t k = 1; k < begin.size(); ++k)
-        begin[k] += begin[k - 1];
-    form_.beside.end = begin;
-    form_.beside.column.resize(begin.back());
-    form_.beside.factor.resize(begin.back());
-    std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
-    for_each_pair([&](std::int32_t trace, std::int32_t face) {
-        Vec<D> way = form_.faces[face].centroid - form_.traces[trace].at;
-        way[form_.faces[face].axis] = 0;
-        for (int axis = 0; axis < D; ++axis)
-            if (grid_.periodic(axis))
-                way[axis] -= grid_.cells()[axis] * std::round(way[axis] / grid_.cells()[axis]);
-        form_.beside.column[next[trace]] = face;
-        form_.beside.factor[next[trace]++] = 1 / std::max(way.norm(), viscous_parameters.same_place);
-    });
-    for (std::size_t trace = 0; trace + 1 < begin.size(); ++trace) {
-        const std::span<double> share = std::span(form_.beside.factor).subspan(begin[trace], begin[trace + 1] - begin[trace]);
-        const double sum = std::accumulate(share.begin(), share.end(), 0.0);
-        for (double& one : share)
-            one /= sum;
-    }
 }
 
 template <int D>

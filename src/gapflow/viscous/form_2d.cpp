@@ -83,11 +83,11 @@ void FormBuilder<2>::find_borders()
 }
 
 template <>
-Row FormBuilder<2>::of_vertex(std::int32_t vertex, int component)
+void FormBuilder<2>::add_vertex(std::int32_t vertex, int component, double factor, Terms& to)
 {
     const Index<2> v = index_.index(vertex);
     if (on_closed_side(v))
-        return of_sides(v, component);
+        return add_sides(v, component, factor, to);
     const int across = 1 - component;
     bool compact = false;
     for (int side = 0; side < 2; ++side) {
@@ -95,32 +95,40 @@ Row FormBuilder<2>::of_vertex(std::int32_t vertex, int component)
         Index<2> cell = f;
         cell[component] = std::min(f[component], index_.high()[component] - 1);
         const std::int32_t face = index_.holds(cell) ? whole_face_[component][index_(f)] : -1;
-        compact = compact || (face >= 0 && form_.faces[face].compact);
+        compact = compact || (face >= 0 && compact_[face]);
     }
     if (compact)
-        return between(component, across, v);
+        return add_between(component, across, v, factor, to);
     std::int32_t& trace = vertex_trace_[component][vertex];
     if (trace < 0)
         trace = new_trace(component, vertex_place(v));
-    Row row;
-    row.add(trace, 1);
-    return row;
+    to.push_back({trace, factor});
 }
 
 template <>
 void FormBuilder<2>::add_face(std::int32_t number)
 {
-    const FormFace<2>& face = form_.faces[number];
+    const FormFace<2> face = form_.faces[number];
     const BorderSegment<2>& segment = segments_[first_segment_[number]];
-    const Row low = of_point(segment.from, face.axis), high = of_point(segment.to, face.axis);
-    Row difference = high, rest = velocity(number);
-    difference.add(low, -1);
-    rest.add(low, -0.5);
-    rest.add(high, -0.5);
+    Terms low, difference, rest{{number, 1}};
+    add_point(segment.from, face.axis, 1, low);
+    add_point(segment.to, face.axis, 1, difference);
+    for (const Terms* half : {&low, &difference})
+        for (const Term& term : *half)
+            rest.push_back({term.column, -0.5 * term.factor});
+    for (const Term& term : low)
+        difference.push_back({term.column, -term.factor});
     const double stiffness = (1 - face.gap) * face.length / face.area;
-    form_.squares.add(stiffness, difference);
-    form_.squares.add(12 * stiffness, rest);
-    moment_[number][1 - face.axis].add(difference, face.area * face.area / 12);
+    add_row(stiffness, difference);
+    add_row(12 * stiffness, rest);
+    element_[number] = -2 - moment_.rows() / 2;
+    for (int axis = 0; axis < 2; ++axis) {
+        terms_.clear();
+        for (const Term& term : difference)
+            if (axis != face.axis)
+                terms_.push_back({term.column, face.area * face.area / 12 * term.factor});
+        add(terms_, moment_);
+    }
 }
 
 } // namespace gapflow

@@ -1,7 +1,5 @@
 // Faces in space: polygons, with traces on the open stretches of their edges and at their vertices.
-#include "gapflow/core/sort_unique.hpp"
 #include "gapflow/viscous/form_builder.hpp"
-#include "gapflow/viscous/plane_element.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +8,6 @@
 
 namespace gapflow {
 namespace {
-
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Area, positive where the polygon runs counterclockwise seen from the plane's high side, and centroid in the plane's axes.
 struct Flat {
@@ -118,13 +114,19 @@ void FormBuilder<3>::merge_pieces()
 template <>
 std::int32_t FormBuilder<3>::stretch_of(int axis, const Index<3>& edge, double from, double to)
 {
-    std::vector<std::int32_t>& list = stretches_at_[{axis, number(edge)}];
-    for (const std::int32_t k : list)
-        if (std::abs(stretches_[k].from - from) + std::abs(stretches_[k].to - to) < viscous_parameters.same_place)
-            return k;
-    list.push_back(static_cast<std::int32_t>(stretches_.size()));
-    stretches_.push_back({static_cast<std::int8_t>(axis), number(edge), from, to});
-    return list.back();
+    std::vector<std::int32_t>& first = first_stretch_[axis];
+    if (first.empty())
+        first.assign(index_.count, -1);
+    std::int32_t* at = &first[number(edge)];
+    while (*at >= 0) {
+        EdgeStretch& other = stretches_[*at];
+        if (std::abs(other.from - from) + std::abs(other.to - to) < viscous_parameters.same_place)
+            return *at;
+        at = &other.next;
+    }
+    *at = static_cast<std::int32_t>(stretches_.size());
+    stretches_.push_back({static_cast<std::int8_t>(axis), number(edge), from, to, -1});
+    return static_cast<std::int32_t>(stretches_.size()) - 1;
 }
 
 /// An open side of a polygon: on which edge, and what its ends are.
@@ -169,9 +171,8 @@ void FormBuilder<3>::find_borders()
     const auto same = [](const Vec<3>& a, const Vec<3>& b) {
         return (a - b).cwiseAbs().maxCoeff() < viscous_parameters.same_place;
     };
-    first_segment_.assign(form_.faces.size() + 1, 0);
-    polygons_.resize(form_.faces.size());
-    for (std::size_t k = 0; k < form_.faces.size(); ++k) {
+    first_segment_.assign(pieces_ + 1, 0);
+    for (std::int32_t k = 0; k < pieces_; ++k) {
         const FormFace<3>& face = form_.faces[k];
         const std::size_t begin = segments_.size();
         for (const PartFace<3>* polygon : polygons_[k]) {
@@ -224,44 +225,43 @@ void FormBuilder<3>::join_stretches(std::size_t begin, const FormFace<3>& face)
 }
 
 template <>
-Row FormBuilder<3>::of_vertex(std::int32_t vertex, int component)
+void FormBuilder<3>::add_vertex(std::int32_t vertex, int component, double factor, Terms& to)
 {
     const Index<3> v = index_.index(vertex);
     if (on_closed_side(v))
-        return of_sides(v, component);
-    Row row;
-    row.add(vertex_column(vertex, component), 1);
-    return row;
+        add_sides(v, component, factor, to);
+    else
+        to.push_back({vertex_column(vertex, component), factor});
 }
 
 template <>
-Row FormBuilder<3>::of_stretch(std::int32_t number, int component)
+void FormBuilder<3>::add_stretch(std::int32_t number, int component, double factor, Terms& to)
 {
-    const EdgeStretch stretch = stretches_[number];
+    EdgeStretch& stretch = stretches_[number];
     const Index<3> e = index_.index(stretch.edge);
     const PlanePlaces& places = planes_.place[stretch.axis];
-    Row row;
     if (std::abs(stretch.from - places[e[stretch.axis]]) + std::abs(stretch.to - places[e[stretch.axis] + 1]) <
         viscous_parameters.same_place) {
         const std::int32_t column = edge_column(stretch.axis, stretch.edge, component);
-        if (column >= first_derived)
-            return derived_[column - first_derived];
-        row.add(column, 1);
-        return row;
+        if (column < first_derived)
+            return to.push_back({column, factor});
+        const RowList& derived = form_.derived;
+        for (std::int64_t t = derived.end[column - first_derived]; t < derived.end[column - first_derived + 1]; ++t)
+            to.push_back({derived.column[t], factor * derived.factor[t]});
+        return;
     }
     const int across = 3 - component - stretch.axis;
     if (is_closed_side(across, e[across]))
-        return of_side(across, e[across], component);
+        return add_side(across, e[across], component, factor, to);
     if (is_compact_edge(e, component, across))
-        return between(component, across, e);
-    const auto [at, is_new] = stretch_trace_.emplace(std::make_pair(number, component), 0);
-    if (is_new) {
+        return add_between(component, across, e, factor, to);
+    std::int32_t& trace = stretch.trace[component];
+    if (trace < 0) {
         Vec<3> middle = vertex_place(e);
         middle[stretch.axis] = 0.5 * (stretch.from + stretch.to);
-        at->second = new_trace(component, middle, stretch.axis, stretch.to - stretch.from);
+        trace = new_trace(component, middle, stretch.axis, stretch.to - stretch.from);
     }
-    row.add(at->second, 1);
-    return row;
+    to.push_back({trace, factor});
 }
 
 template <>
@@ -269,66 +269,117 @@ void FormBuilder<3>::add_face(std::int32_t number)
 {
     if (add_whole_face(number))
         return;
-    const FormFace<3>& face = form_.faces[number];
-    const std::vector<BorderSegment<3>> segments =
-        face.whole ? square_of(face)
-                   : std::vector<BorderSegment<3>>(segments_.begin() + first_segment_[number],
-                                                   segments_.begin() + first_segment_[number + 1]);
+    const FormFace<3> face = form_.faces[number];
+    const std::vector<BorderSegment<3>> square = face.whole ? square_of(face) : std::vector<BorderSegment<3>>();
+    std::span<const BorderSegment<3>> segments = square;
+    if (!face.whole)
+        segments = std::span(segments_).subspan(first_segment_[number], first_segment_[number + 1] - first_segment_[number]);
     if (segments.empty())
         return;
-    std::vector<ElementSide> sides;
-    std::vector<Row> values;
+    sides_.clear();
+    columns_.clear();
+    sparse_.clear();
+    sparse_end_.assign(1, 0);
+    const auto put = [&] { // a value's terms
+        for (const Term& term : terms_)
+            sparse_.emplace_back(slot_of(term.column), term.factor);
+        sparse_end_.push_back(static_cast<std::int32_t>(sparse_.size()));
+        terms_.clear();
+    };
+    terms_.clear();
+    Terms middle, to;
     for (const BorderSegment<3>& segment : segments) {
-        sides.push_back({flat(face.axis, segment.from.at), flat(face.axis, segment.to.at)});
-        const Row from = of_point(segment.from, face.axis), to = of_point(segment.to, face.axis);
-        Row middle;
-        if (segment.stretch < 0)
-            middle = of_solid(segment.from.solid, 0.5 * (segment.from.at + segment.to.at), face.axis);
-        else {
-            middle.add(of_stretch(segment.stretch, face.axis), 1.5);
-            middle.add(from, -0.25);
-            middle.add(to, -0.25);
-        }
-        values.push_back(from);
-        values.push_back(middle);
-        values.push_back(to);
+        sides_.push_back({flat(face.axis, segment.from.at), flat(face.axis, segment.to.at)});
+        add_point(segment.from, face.axis, 1, terms_);
+        middle.clear();
+        const auto take_quarter = [&] {
+            for (const Term& term : terms_)
+                middle.push_back({term.column, -0.25 * term.factor});
+        };
+        take_quarter();
+        put();
+        add_point(segment.to, face.axis, 1, terms_);
+        take_quarter();
+        std::swap(to, terms_);
+        if (segment.stretch < 0) {
+            middle.clear();
+            add_solid(segment.from.solid, 0.5 * (segment.from.at + segment.to.at), face.axis, 1, middle);
+        } else
+            add_stretch(segment.stretch, face.axis, 1.5, middle);
+        std::swap(middle, terms_);
+        put();
+        std::swap(to, terms_);
+        put();
     }
-    values.push_back(velocity(number));
-    std::vector<std::int32_t> columns;
-    for (const Row& value : values)
-        for (const Term& term : value.terms())
-            columns.push_back(term.column);
-    sort_unique(columns);
-    for (const std::int32_t column : columns)
+    terms_.push_back({number, 1});
+    put();
+    for (const std::int32_t column : columns_)
         if (column >= form_.velocities())
             trace_face_.emplace_back(column, number);
-    RowMatrix by_columns = RowMatrix::Zero(static_cast<Eigen::Index>(values.size()), static_cast<Eigen::Index>(columns.size()));
-    for (std::size_t k = 0; k < values.size(); ++k)
-        for (const Term& term : values[k].terms())
-            by_columns(static_cast<Eigen::Index>(k),
-                       std::lower_bound(columns.begin(), columns.end(), term.column) - columns.begin()) += term.factor;
-    const PlaneElement element = plane_element(sides);
-    const RowMatrix rows = element.rows * by_columns, moments = element.moment * by_columns;
-    const auto row_of = [&](const RowMatrix& matrix, Eigen::Index k) {
-        return std::span<const double>(matrix.row(k).data(), columns.size());
+    add_element(number);
+}
+
+/// Of the values that are gathered: three for each side, and the mean.
+template <>
+void FormBuilder<3>::add_element(std::int32_t number)
+{
+    FormFace<3>& face = form_.faces[number];
+    PlaneProjection& of = projection_;
+    of.find(sides_);
+    const std::size_t n = columns_.size();
+    const auto values_of = [&](std::size_t value) {
+        return std::span(sparse_).subspan(sparse_end_[value], sparse_end_[value + 1] - sparse_end_[value]);
     };
+    const double share = (1 - face.gap) * face.length;
     const std::int64_t first = form_.squares.rows();
-    for (Eigen::Index k = 0; k < rows.rows(); ++k)
-        form_.squares.add((1 - face.gap) * face.length * element.weight[k], columns, row_of(rows, k));
-    form_.elements.push_back({number, first, form_.squares.rows()});
-    for (int k = 0; k < 2; ++k) {
-        Row moment;
-        for (std::size_t c = 0; c < columns.size(); ++c)
-            if (moments(k, static_cast<Eigen::Index>(c)) != 0)
-                moment.add(columns[c], moments(k, static_cast<Eigen::Index>(c)));
-        Row& of_face = moment_[number][(face.axis + 1 + k) % 3];
-        if (!moment.empty())
-            of_face.add(derive(std::move(moment)), 1); // both cells' rows are short by it
+    dense_.assign(7 * n, 0.0); // the projection's factors of the six monomials, and a row
+    for (std::size_t value = 0; value < of.project.size(); ++value)
+        for (const auto& [slot, factor] : values_of(value))
+            for (int r = 0; r < 6; ++r)
+                dense_[r * n + slot] += factor * of.project[value][r];
+    const std::span<double> row = std::span(dense_).subspan(6 * n);
+    if (!of.empty() && share != 0) {
+        for (int r = 1; r < 6; ++r)
+            add_row(share * of.energy[r], columns_, std::span(dense_).subspan(r * n, n));
+        for (std::size_t side = 0; side < of.sides.size(); ++side)
+            for (int mode = 0; mode < 3; ++mode) {
+                const std::array<double, 3>& points = of.sides[side].row[mode];
+                PlaneProjection::Monomials at{};
+                for (int p = 0; p < 3; ++p)
+                    for (int r = 0; r < 6; ++r)
+                        at[r] += points[p] * of.at[3 * side + p][r];
+                for (std::size_t c = 0; c < n; ++c)
+                    row[c] = -(at[0] * dense_[c] + at[1] * dense_[n + c] + at[2] * dense_[2 * n + c] +
+                               at[3] * dense_[3 * n + c] + at[4] * dense_[4 * n + c] + at[5] * dense_[5 * n + c]);
+                for (int p = 0; p < 3; ++p)
+                    for (const auto& [slot, factor] : values_of(3 * side + p))
+                        row[slot] += points[p] * factor;
+                add_row(share * of.sides[side].weight[mode], columns_, row);
+            }
     }
-    form_.faces[number].polygon_area = element.area;
-    form_.faces[number].polygon_centroid = face.centroid;
+    form_.elements.push_back({number, first, form_.squares.rows()});
+    element_[number] = -2 - moment_.rows() / 3;
+    std::array<std::int32_t, 3> moment{-1, -1, -1}; // both cells' rows are short by it
+    for (int k = 0; k < 2 && !of.empty(); ++k) {
+        terms_.clear();
+        for (std::size_t c = 0; c < n; ++c) {
+            double sum = 0;
+            for (int r = 0; r < 6; ++r)
+                sum += of.moment(k, r) * dense_[r * n + c];
+            if (sum != 0)
+                terms_.push_back({columns_[c], sum});
+        }
+        if (!terms_.empty())
+            moment[(face.axis + 1 + k) % 3] = derive(terms_);
+    }
+    for (const std::int32_t column : moment) {
+        const Term term{column, 1};
+        add(std::span(&term, column >= 0 ? 1 : 0), moment_);
+    }
+    face.polygon_area = of.area;
+    face.polygon_centroid = face.centroid;
     for (int k = 0; k < 2; ++k)
-        form_.faces[number].polygon_centroid[(face.axis + 1 + k) % 3] = element.centroid[k];
+        face.polygon_centroid[(face.axis + 1 + k) % 3] = of.centroid[k];
 }
 
 } // namespace gapflow

@@ -2,10 +2,15 @@
 #pragma once
 
 #include "gapflow/complex/placed.hpp"
+#include "gapflow/grid/inline_vector.hpp"
+#include "gapflow/viscous/curve_points.hpp"
 #include "gapflow/viscous/form.hpp"
 #include "gapflow/viscous/parameters.hpp"
+#include "gapflow/viscous/plane_element.hpp"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -34,12 +39,12 @@ struct WallPiece {
     std::int32_t solid;
 };
 
-/// Integrals over a cell's walls of their velocity: of each solid there, by its twist.
+/// Integrals over a cell's walls of a solid of its velocity, by its twist.
 template <int D>
 struct WallMoments {
-    std::vector<std::int32_t> solid;
-    std::vector<std::array<Twist<D>, D>> flux;                  ///< of u_e n_e, by e
-    std::vector<std::array<std::array<Twist<D>, D>, D>> moment; ///< of (x_i - c_i) u_e n_e, by e and i
+    std::int32_t solid;
+    std::array<Twist<D>, D> flux;                  ///< of u_e n_e, by e
+    std::array<std::array<Twist<D>, D>, D> moment; ///< of (x_i - c_i) u_e n_e, by e and i
 };
 
 /// An open stretch of an edge of the grid, 3D.
@@ -47,6 +52,8 @@ struct EdgeStretch {
     std::int8_t axis;
     std::int32_t edge; ///< number of its low vertex
     double from, to;
+    std::int32_t next;                                ///< another one of the edge; -1: none
+    std::array<std::int32_t, 3> trace = {-1, -1, -1}; ///< by component
 };
 
 /// Volume, centroid and second moments about it, from the simplices of a closed border.
@@ -81,22 +88,60 @@ struct CellShape {
 
 /// A polygon as lines (2D: the line itself) or triangles around the mean of its points.
 template <int D>
-std::vector<std::array<Vec<D>, D>> simplices(const std::vector<Vec<D>>& points)
+void find_simplices(const std::vector<Vec<D>>& points, std::vector<std::array<Vec<D>, D>>& result)
 {
+    result.clear();
     if constexpr (D == 2)
-        return {{points[0], points[1]}};
+        result.push_back({points[0], points[1]});
+    else if (points.size() == 3)
+        result.push_back({points[0], points[1], points[2]});
     else {
-        std::vector<std::array<Vec<3>, 3>> result;
-        if (points.size() == 3)
-            return {{points[0], points[1], points[2]}};
         Vec<3> middle = Vec<3>::Zero();
         for (const Vec<3>& x : points)
             middle += x / static_cast<double>(points.size());
         for (std::size_t k = 0; k < points.size(); ++k)
-            result.push_back({points[k], points[(k + 1) % points.size()], middle});
-        return result;
+            result.push_back({points[k], points[k + 1 < points.size() ? k + 1 : 0], middle});
     }
 }
+
+/// Columns ascending, each once.
+void merge(std::vector<Term>& terms);
+
+/// A row of columns that differ.
+void add(std::span<const Term> terms, RowList& to);
+
+/// Rows of two terms, put behind those of a form block by block.
+class FlatRows {
+public:
+    FlatRows(SquareSum& squares, std::vector<std::int32_t>& row_face) : squares_(squares), row_face_(row_face) {}
+    ~FlatRows() { put(); }
+    FlatRows(const FlatRows&) = delete;
+    FlatRows& operator=(const FlatRows&) = delete;
+    void add(std::int32_t face, double weight, const Term& a, const Term& b)
+    {
+        if (n_ == size)
+            put();
+        face_[n_] = face;
+        weight_[n_] = weight;
+        column_[2 * n_] = a.column;
+        column_[2 * n_ + 1] = b.column;
+        factor_[2 * n_] = a.factor;
+        factor_[2 * n_ + 1] = b.factor;
+        ++n_;
+    }
+
+private:
+    static constexpr int size = 512;
+    void put();
+
+    SquareSum& squares_;
+    std::vector<std::int32_t>& row_face_;
+    int n_ = 0;
+    std::array<std::int32_t, size> face_;
+    std::array<double, size> weight_;
+    std::array<std::int32_t, 2 * size> column_;
+    std::array<double, 2 * size> factor_;
+};
 
 /// Numbers of derived columns and of moments until all columns are known.
 inline constexpr std::int32_t first_derived = 1 << 29, first_moment = 1 << 30;
@@ -109,6 +154,19 @@ public:
     ViscousForm<D> build();
 
 private:
+    /// A face of a cell: its number, and 1 on the cell's high side, -1 on its low side.
+    struct CellFace {
+        std::int32_t face;
+        int sign;
+    };
+    using CellFaces = InlineVector<CellFace, 12>;
+    using Terms = std::vector<Term>;
+    /// A whole cell without faces of the compact lattice; its faces by axis and side, -1: not whole, or none.
+    struct UnevenCell {
+        std::int32_t cell;
+        std::array<std::array<std::int32_t, 2>, D> face;
+    };
+
     // Faces and their borders.
     void find_faces();
     void add_pieces();
@@ -122,8 +180,8 @@ private:
     void join_stretches(std::size_t begin, const FormFace<D>& face);
     void find_walls();
     void find_sides();
-    Vec<D> on_curve(const Vec<D>& from, const Vec<D>& to, std::int32_t solid, int axis) const;
-    std::vector<Vec<D>> curved(const PartFace<D>& face) const;
+    Vec<D> on_curve(const Vec<D>& from, const Vec<D>& to, std::int32_t solid, int axis);
+    void find_curved(const PartFace<D>& face, std::vector<Vec<D>>& points);
     double length_of(int axis, const Index<D>& f) const;
     bool is_closed_side(int axis, int plane) const;
     bool on_closed_side(const Index<D>& vertex) const;
@@ -138,20 +196,20 @@ private:
                    : -1;
     }
     /// The velocity of closed sides: at a plane of one, at a vertex (the mean of those that meet there); 0 of sides that are not among the solids.
-    Row of_side(int axis, int plane, int component) const;
-    Row of_sides(const Index<D>& vertex, int component) const;
+    void add_side(int axis, int plane, int component, double factor, Terms& to) const;
+    void add_sides(const Index<D>& vertex, int component, double factor, Terms& to) const;
     int number(const Index<D>& c) const { return index_(index_.wrapped(c)); }
     Vec<D> vertex_place(const Index<D>& v) const;
 
-    // Rows.
-    Row velocity(std::int32_t face) const;
+    // Rows: terms that are added to others.
     Row of_solid(std::int32_t solid, const Vec<D>& x, int component) const;
-    static void add_twist(Row& row, std::int32_t solid, const Twist<D>& factor);
-    Row of_point(const BorderPoint<D>& point, int component);
-    Row of_vertex(std::int32_t vertex, int component);
-    Row of_stretch(std::int32_t stretch, int component);
+    void add_solid(std::int32_t solid, const Vec<D>& x, int component, double factor, Terms& to) const;
+    static void add_twist(std::int32_t solid, const Twist<D>& twist, double factor, Terms& to);
+    void add_point(const BorderPoint<D>& point, int component, double factor, Terms& to);
+    void add_vertex(std::int32_t vertex, int component, double factor, Terms& to);
+    void add_stretch(std::int32_t stretch, int component, double factor, Terms& to);
     /// Between two faces normal to `component` that share an edge, along `across`, one of them of the compact lattice. high: the face above.
-    Row between(int component, int across, const Index<D>& high) const;
+    void add_between(int component, int across, const Index<D>& high, double factor, Terms& to) const;
     std::int32_t new_trace(int component, const Vec<D>& at, int axis = 0, double length = 0)
     {
         form_.traces.push_back({static_cast<std::int8_t>(component), static_cast<std::int8_t>(axis), at, length});
@@ -161,22 +219,46 @@ private:
     /// Columns of a vertex and of a whole edge, derived where they are no traces, 3D.
     std::int32_t vertex_column(std::int32_t vertex, int component);
     std::int32_t edge_column(int axis, std::int32_t edge, int component);
-    std::int32_t derive(Row row);
+    std::int32_t new_vertex_column(std::int32_t vertex, int component);
+    std::int32_t new_edge_column(int axis, std::int32_t edge, int component);
+    std::int32_t derive(Terms& row);
     bool is_compact_edge(const Index<D>& edge, int component, int across) const;
     /// First moment of a face's velocity about its centroid.
-    Row moment_of(std::int32_t face, int axis) const;
+    void add_moment(std::int32_t face, int axis, double factor, Terms& to) const;
 
     // Squares.
     void add_face(std::int32_t face);
+    void add_element(std::int32_t face);
+    /// Of a column among those that are gathered.
+    int slot_of(std::int32_t column)
+    {
+        const auto slot = std::ranges::find(columns_, column) - columns_.begin();
+        if (slot == std::ssize(columns_))
+            columns_.push_back(column);
+        return static_cast<int>(slot);
+    }
+    void find_widths();
+    template <class F>
+    void for_each_whole_cell(const Index<D>& row, const F& f) const;
+    void find_uneven_cells();
+    void add_flat_rows();
+    void add_compact(int axis, const Index<D>& row, FlatRows& rows) const;
+    void add_plain(const Index<D>& row, FlatRows& rows) const;
     bool add_whole_face(std::int32_t face);
-    bool add_whole_along(std::int32_t cell);
+    bool add_whole_along(const UnevenCell& cell);
     void find_lattice();
     std::array<std::int32_t, 2 * D> beside(std::int32_t face) const;
-    void add_compact(std::int32_t face);
+    void add_at_sides(std::int32_t face);
     void add_at_side(std::int32_t face, int axis, int end, int layer);
     void add_along(std::int32_t cell);
-    WallMoments<D> wall_moments(std::int32_t cell) const;
-    void add_plain_along(std::int32_t cell);
+    void find_along(std::int32_t cell, const CellShape<D>& shape);
+    void find_wall_moments(std::int32_t cell, std::vector<WallMoments<D>>& walls) const;
+    /// As SquareSum::add.
+    void add_row(double weight, std::span<const std::int32_t> columns, std::span<const double> factors);
+    void add_row(double weight, Terms& row);
+    /// Of columns that differ.
+    void add_terms(double weight, std::span<const Term> terms);
+    void add_plain_along(std::int32_t cell, const CellFaces& faces);
     bool is_closed_border(std::int32_t cell) const;
     void find_gaps();
     void find_cell_shares();
@@ -187,22 +269,24 @@ private:
     std::int32_t face_at(const PeakDrag<D>& peak) const;
     void add_pair(const std::array<std::int32_t, 2>& solids, const PairMass<D>& mass);
     void add_outflow();
+    void add_flat_outflow(const std::function<void(std::int32_t)>& add);
     void add_rotation();
+    template <class F>
+    void for_each_open_column(const F& f);
     void close_columns();
     void drop_unused_traces();
     void find_beside();
 
-    /// A face of a cell: its number, and 1 on the cell's high side, -1 on its low side.
-    struct CellFace {
-        std::int32_t face;
-        int sign;
-    };
-    std::span<const CellFace> faces_of(std::int32_t cell) const
-    {
-        return {cell_faces_.data() + first_face_[cell], static_cast<std::size_t>(first_face_[cell + 1] - first_face_[cell])};
-    }
+    /// Pieces, then whole faces.
+    CellFaces faces_of(std::int32_t cell) const;
+    bool is_whole(std::int32_t face) const { return face >= pieces_; }
+    /// Cells that solids cut are numbered before the others.
+    std::int32_t cut_cells() const { return static_cast<std::int32_t>(shapes_.size()); }
+    CellShape<D> shape_of(std::int32_t cell) const;
     std::span<const WallPiece<D>> walls_of(std::int32_t cell) const
     {
+        if (cell >= cut_cells())
+            return {};
         return {walls_.data() + first_wall_[cell], static_cast<std::size_t>(first_wall_[cell + 1] - first_wall_[cell])};
     }
     Vec<D> centre_of(std::int32_t cell) const; ///< of the grid's cell
@@ -219,30 +303,47 @@ private:
     std::vector<Vec<D>> reference_;              ///< of each solid, in cells
     std::array<std::int32_t, 2 * D> side_solid_; ///< of each closed side; -1: none
     bool periodic_ = false;
+    std::array<std::vector<double>, D> width_, centre_;   ///< of the grid's cells, from DenseIndex::low on
+    std::array<std::vector<double>, D> spread_, between_; ///< of its planes: length_of(), 1 over the sum of the widths beside
     ViscousForm<D> form_;
+    std::int32_t pieces_ = 0;                                       ///< faces that are not whole, before the others
+    std::vector<char> compact_;                                     ///< FormFace::compact
     std::vector<char> regular_;                                     ///< of each face: in a run of the lattice
     std::array<std::vector<std::int32_t>, D> whole_face_;           ///< by number in Complex::index; -1: none
     std::vector<double> gap_of_cell_;                               ///< share of its dissipation that is that of gaps
     std::map<std::array<std::int32_t, 2>, double> least_thickness_; ///< of the gaps of two solids, 3D
     std::vector<std::int32_t> face_of_piece_;                       ///< -1: none of its own
-    std::vector<std::int32_t> first_face_, first_wall_;
-    std::vector<CellFace> cell_faces_;
+    std::vector<std::int32_t> first_face_;                          ///< of each cell
+    std::vector<CellFace> cell_faces_;                              ///< that are not whole
+    std::vector<std::int32_t> first_wall_;                          ///< of each cell that is cut
     std::vector<WallPiece<D>> walls_;
-    std::vector<CellShape<D>> shapes_;
+    std::vector<CellShape<D>> shapes_; ///< of each cell that is cut
+    std::vector<UnevenCell> uneven_cells_;
+    std::int64_t first_flat_ = 0;             ///< term: from there on all columns are velocities
     std::vector<std::int32_t> first_segment_; ///< of each face that is not whole
     std::vector<BorderSegment<D>> segments_;
     std::vector<EdgeStretch> stretches_;
-    std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> stretches_at_; ///< by axis and low vertex of the edge
-    std::vector<int> first_border_;                                                  ///< of each part, 3D
-    std::vector<std::vector<const PartFace<D>*>> polygons_;                          ///< of each face that is not whole, 3D
-    std::array<std::vector<std::int32_t>, D> vertex_trace_;                          ///< by component and vertex
-    std::map<std::pair<std::int32_t, int>, std::int32_t> stretch_trace_;
+    std::array<std::vector<std::int32_t>, D> first_stretch_; ///< by axis and low vertex of the edge; -1: none
+    std::vector<int> first_border_;                          ///< of each part, 3D
+    std::vector<std::vector<const PartFace<D>*>> polygons_;  ///< of each face that is not whole, 3D
+    std::array<std::vector<std::int32_t>, D> vertex_trace_;  ///< by component and vertex
     std::array<std::array<std::vector<std::int32_t>, D>, D>
         edge_column_; ///< by component, the edge's axis and its low vertex, 3D
-    std::vector<Row> derived_;
-    std::vector<std::int32_t> whole_element_; ///< of each face: its number in ViscousForm::whole; -1: none
-    std::vector<std::array<Row, D>> moment_;  ///< of each face without
-    std::vector<std::pair<std::int32_t, std::int32_t>> trace_face_; ///< traces of faces that are not whole
+    std::vector<std::int32_t>
+        element_;    ///< of each face: its number in ViscousForm::whole; -1: none; from -2 down: that in moment_
+    RowList moment_; ///< D rows of each such face, by axis
+    std::vector<std::pair<std::int32_t, std::int32_t>> trace_face_; ///< traces of faces that are not whole, face by face
+    CurvePoints curve_points_;
+    // Room for what is found again and again.
+    Terms terms_;
+    std::vector<std::int32_t> columns_;
+    std::vector<double> dense_;
+    std::vector<char> has_;
+    std::vector<std::pair<std::int32_t, double>> sparse_; ///< numbers in columns_, with factors
+    std::vector<std::int32_t> sparse_end_;
+    std::vector<ElementSide> sides_;
+    PlaneProjection projection_;
+    std::vector<WallMoments<D>> wall_moments_;
 };
 
 template <>
@@ -250,7 +351,7 @@ void FormBuilder<2>::merge_pieces();
 template <>
 void FormBuilder<2>::find_borders();
 template <>
-Row FormBuilder<2>::of_vertex(std::int32_t vertex, int component);
+void FormBuilder<2>::add_vertex(std::int32_t vertex, int component, double factor, Terms& to);
 template <>
 void FormBuilder<2>::add_face(std::int32_t face);
 template <>
@@ -260,11 +361,11 @@ std::vector<std::size_t> FormBuilder<2>::side_by_side();
 template <>
 const PartFace<3>* FormBuilder<3>::polygon_of(const FacePiece<3>& piece) const;
 template <>
-Vec<3> FormBuilder<3>::on_curve(const Vec<3>& from, const Vec<3>& to, std::int32_t solid, int axis) const;
+Vec<3> FormBuilder<3>::on_curve(const Vec<3>& from, const Vec<3>& to, std::int32_t solid, int axis);
 template <>
-std::vector<Vec<3>> FormBuilder<3>::curved(const PartFace<3>& face) const;
+void FormBuilder<3>::find_curved(const PartFace<3>& face, std::vector<Vec<3>>& points);
 template <>
-std::vector<Vec<2>> FormBuilder<2>::curved(const PartFace<2>& face) const;
+void FormBuilder<2>::find_curved(const PartFace<2>& face, std::vector<Vec<2>>& points);
 template <>
 void FormBuilder<3>::merge_pieces();
 template <>
@@ -278,19 +379,35 @@ void FormBuilder<3>::join_stretches(std::size_t begin, const FormFace<3>& face);
 template <>
 void FormBuilder<3>::find_borders();
 template <>
-Row FormBuilder<3>::of_vertex(std::int32_t vertex, int component);
+void FormBuilder<3>::add_vertex(std::int32_t vertex, int component, double factor, Terms& to);
 template <>
-Row FormBuilder<3>::of_stretch(std::int32_t stretch, int component);
+void FormBuilder<3>::add_stretch(std::int32_t stretch, int component, double factor, Terms& to);
 template <>
 void FormBuilder<3>::add_face(std::int32_t face);
 template <>
-std::int32_t FormBuilder<3>::vertex_column(std::int32_t vertex, int component);
+void FormBuilder<3>::add_element(std::int32_t face);
 template <>
-std::int32_t FormBuilder<3>::edge_column(int axis, std::int32_t edge, int component);
+std::int32_t FormBuilder<3>::new_vertex_column(std::int32_t vertex, int component);
+template <>
+std::int32_t FormBuilder<3>::new_edge_column(int axis, std::int32_t edge, int component);
+template <>
+inline std::int32_t FormBuilder<3>::vertex_column(std::int32_t vertex, int component)
+{
+    std::int32_t& column = vertex_trace_[component][vertex];
+    return column < 0 ? column = new_vertex_column(vertex, component) : column;
+}
+template <>
+inline std::int32_t FormBuilder<3>::edge_column(int axis, std::int32_t edge, int component)
+{
+    std::vector<std::int32_t>& columns = edge_column_[component][axis];
+    if (columns.empty())
+        columns.assign(index_.count, -1);
+    return columns[edge] < 0 ? columns[edge] = new_edge_column(axis, edge, component) : columns[edge];
+}
 template <>
 bool FormBuilder<3>::add_whole_face(std::int32_t face);
 template <>
-bool FormBuilder<3>::add_whole_along(std::int32_t cell);
+bool FormBuilder<3>::add_whole_along(const UnevenCell& cell);
 template <>
 void FormBuilder<3>::add_turning();
 template <>

@@ -56,9 +56,10 @@ void FormBuilder<D>::find_cell_shares()
     const int cells = form_.cells.count();
     gap_of_cell_.assign(cells, 0);
     if (D == 3) {
-        for (int cell = 0; cell < cells; ++cell)
-            for (const CellFace& of : faces_of(cell))
-                gap_of_cell_[cell] += form_.faces[of.face].gap / static_cast<double>(faces_of(cell).size());
+        for (std::int32_t face = 0; face < pieces_; ++face)
+            for (const std::int32_t cell : {form_.faces[face].low, form_.faces[face].high})
+                if (cell >= 0 && form_.faces[face].gap > 0)
+                    gap_of_cell_[cell] += form_.faces[face].gap / static_cast<double>(faces_of(cell).size());
         return;
     }
     std::vector<std::int32_t> root(cells);

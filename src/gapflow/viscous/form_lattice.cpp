@@ -73,20 +73,20 @@ std::array<std::int32_t, 2 * D> FormBuilder<D>::beside(std::int32_t number) cons
 template <int D>
 void FormBuilder<D>::find_lattice()
 {
-    constexpr double same = viscous_parameters.same_place;
     const auto is_unit = [&](const FormFace<D>& face) {
-        const Index<D> f = index_.index(face.face);
-        bool unit = face.compact && face.low >= 0 && face.high >= 0 && std::abs(face.length - 1) < same;
-        for (int axis = 0; axis < D && unit; ++axis)
-            for (int end = axis == face.axis ? -1 : 0; end < 1; ++end)
-                unit = unit && std::abs(planes_.place[axis][f[axis] + end + 1] - planes_.place[axis][f[axis] + end] - 1) < same;
+        constexpr double same = viscous_parameters.same_place;
+        const Index<D> f = index_.index(face.face) - index_.low;
+        bool unit = face.low >= 0 && face.high >= 0 && std::abs(face.length - 1) < same && std::abs(face.area - 1) < same;
+        for (int axis = 0; axis < D && unit; ++axis) // and the cells on either side
+            unit = std::abs(width_[axis][f[axis] < std::ssize(width_[axis]) ? f[axis] : 0] - 1) < same &&
+                   (axis != face.axis || std::abs(width_[axis][f[axis] > 0 ? f[axis] - 1 : width_[axis].size() - 1] - 1) < same);
         return unit;
     };
     const int count = form_.velocities();
     regular_.assign(count, false);
     std::vector<char> unit(count, false);
     for (int k = 0; k < count; ++k)
-        unit[k] = form_.faces[k].compact && is_unit(form_.faces[k]);
+        unit[k] = compact_[k] && is_unit(form_.faces[k]);
     for (int k = 0; k < count; ++k) {
         if (!unit[k])
             continue;
@@ -117,32 +117,12 @@ void FormBuilder<D>::find_lattice()
                     form_.lattice.links.push_back({first + i, run.first + i});
 }
 
-/// Links of a face that is in no run. Half of each is that of the face beyond, by its link or by its element.
 template <int D>
-void FormBuilder<D>::add_compact(std::int32_t number)
+void FormBuilder<D>::add_at_sides(std::int32_t number)
 {
-    if (regular_[number])
-        return;
-    const FormFace<D>& face = form_.faces[number];
-    const Index<D> f = index_.index(face.face);
-    const std::array<std::int32_t, 2 * D> around = beside(number);
-    for (int a = 0; a < D; ++a) {
-        if (a == face.axis)
-            continue;
-        if (const auto [layer, end] = cells_to_side(face, a); layer < 2) {
-            add_at_side(number, a, end, layer);
-            continue;
-        }
-        const double width = planes_.place[a][f[a] + 1] - planes_.place[a][f[a]], across = face.area / width;
-        for (int end = 0; end < 2; ++end) {
-            const std::int32_t other = around[2 * a + end];
-            if (other < 0 || regular_[other])
-                continue;
-            const int g = index_.index(form_.faces[other].face)[a];
-            form_.squares.add(face.length * across / (width + planes_.place[a][g + 1] - planes_.place[a][g]),
-                              {{number, 1}, {other, -1}});
-        }
-    }
+    for (int axis = 0; axis < D; ++axis)
+        if (const auto [layer, end] = cells_to_side(form_.faces[number], axis); layer < 2)
+            add_at_side(number, axis, end, layer);
 }
 
 /// The two cells beside a closed side have their own elements across it: between the side and the trace of a quadratic function of their means, and from there to
@@ -152,24 +132,31 @@ void FormBuilder<D>::add_at_side(std::int32_t number, int axis, int end, int lay
 {
     const FormFace<D>& face = form_.faces[number];
     const Index<D> f = index_.index(face.face), in = (end ? -1 : 1) * step<D>(axis), first = f - layer * in;
-    const auto width = [&](const Index<D>& at) { return planes_.place[axis][at[axis] + 1] - planes_.place[axis][at[axis]]; };
-    const Row side = of_side(axis, f[axis] + (end ? layer + 1 : -layer), face.axis);
+    const auto width = [&](const Index<D>& at) { return width_[axis][at[axis] - index_.low[axis]]; };
     const std::array<double, 2> weight = first_trace(width(first), width(Index<D>(first + in)));
-    Row trace, beyond;
-    trace.add(side, 1 - weight[0] - weight[1]);
-    for (int k = 0; k < 2; ++k)
-        trace.add(whole_face_at(face.axis, Index<D>(first + k * in)), weight[k]);
-    if (layer == 0)
-        beyond = side;
-    else
-        beyond = between(face.axis, axis, Index<D>(end ? f : f + in));
+    const auto side = [&](double factor, Terms& to) {
+        add_side(axis, f[axis] + (end ? layer + 1 : -layer), face.axis, factor, to);
+    };
+    const auto trace = [&](double factor, Terms& to) {
+        side(factor * (1 - weight[0] - weight[1]), to);
+        for (int k = 0; k < 2; ++k)
+            to.push_back({whole_face_at(face.axis, Index<D>(first + k * in)), factor * weight[k]});
+    };
+    const auto beyond = [&](double factor, Terms& to) {
+        if (layer == 0)
+            side(factor, to);
+        else
+            add_between(face.axis, axis, Index<D>(end ? f : f + in), factor, to);
+    };
     const double stiffness = face.length * face.area / (width(f) * width(f));
-    Row difference = trace, rest = velocity(number);
-    difference.add(beyond, -1);
-    rest.add(trace, -0.5);
-    rest.add(beyond, -0.5);
-    form_.squares.add(stiffness, std::move(difference));
-    form_.squares.add(12 * stiffness, std::move(rest));
+    Terms row;
+    trace(1, row);
+    beyond(-1, row);
+    add_row(stiffness, row);
+    row = {{number, 1}};
+    trace(-0.5, row);
+    beyond(-0.5, row);
+    add_row(12 * stiffness, row);
 }
 
 template struct Lattice<2>;
@@ -180,8 +167,8 @@ template std::array<std::int32_t, 4> FormBuilder<2>::beside(std::int32_t) const;
 template std::array<std::int32_t, 6> FormBuilder<3>::beside(std::int32_t) const;
 template std::pair<int, int> FormBuilder<2>::cells_to_side(const FormFace<2>&, int) const;
 template std::pair<int, int> FormBuilder<3>::cells_to_side(const FormFace<3>&, int) const;
-template void FormBuilder<2>::add_compact(std::int32_t);
-template void FormBuilder<3>::add_compact(std::int32_t);
+template void FormBuilder<2>::add_at_sides(std::int32_t);
+template void FormBuilder<3>::add_at_sides(std::int32_t);
 template void FormBuilder<2>::add_at_side(std::int32_t, int, int, int);
 template void FormBuilder<3>::add_at_side(std::int32_t, int, int, int);
 

@@ -28,4 +28,33 @@ struct PlaneElement {
 
 PlaneElement plane_element(const std::vector<ElementSide>& sides);
 
+/// What the rows consist of: Pi u is a sum of six monomials, that of number r with the factor sum_v project[v][r] value_v.
+class PlaneProjection {
+public:
+    using Monomials = std::array<double, 6>;
+    /// Of what the projection leaves at a side's start, middle and end: rows, and their weights.
+    struct SideModes {
+        std::array<std::array<double, 3>, 3> row;
+        std::array<double, 3> weight;
+    };
+
+    explicit PlaneProjection(const std::vector<ElementSide>& sides) { find(sides); }
+    PlaneProjection() = default;
+    void find(const std::vector<ElementSide>& sides);
+    /// Without area there is nothing else.
+    bool empty() const { return project.empty(); }
+
+    double area = 0;
+    Vec<2> centroid = Vec<2>::Zero();
+    Monomials energy;                   ///< of each monomial; they are orthogonal
+    std::vector<Monomials> project;     ///< by values
+    std::vector<Monomials> at;          ///< the monomials at the sides' starts, middles and ends
+    Eigen::Matrix<double, 2, 6> moment; ///< of each monomial: int (x - centroid) m
+    std::vector<SideModes> sides;
+
+private:
+    double centre(Vec<2>& middle);
+    std::vector<ElementSide> lines_; ///< sides about the centroid
+};
+
 } // namespace gapflow
