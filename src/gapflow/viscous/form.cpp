@@ -44,19 +44,12 @@ void ViscousForm<D>::find_derived(std::span<const double> x, std::vector<double>
 template <int D>
 void ViscousForm<D>::product(std::span<const double> x, std::span<double> y) const
 {
-    Room room;
-    product(x, y, room);
-}
-
-template <int D>
-void ViscousForm<D>::product(std::span<const double> x, std::span<double> y, Room& room) const
-{
-    find_derived(x, room.all);
-    std::vector<double>& by = room.by;
-    by.assign(room.all.size(), 0.0);
-    lattice.add_product(room.all, by);
-    squares.add_product(room.all, by);
-    whole.add_product(room.all, std::span<const double>(by).subspan(columns() + derived.rows()), by);
+    std::vector<double> all;
+    find_derived(x, all);
+    std::vector<double> by(all.size(), 0.0);
+    lattice.add_product(all, by);
+    squares.add_product(all, by);
+    whole.add_product(all, std::span<const double>(by).subspan(columns() + derived.rows()), by);
     for (int row = 0; row < derived.rows(); ++row)
         for (std::int64_t t = derived.end[row]; t < derived.end[row + 1]; ++t)
             by[derived.column[t]] += derived.factor[t] * by[columns() + row];

@@ -127,11 +127,6 @@ struct ViscousForm {
 
     /// y = A x of all columns: the entries of the solids' twists are the wrenches with which the fluid resists them, but for its pressure.
     void product(std::span<const double> x, std::span<double> y) const;
-    /// Room for all columns, for products one after the other.
-    struct Room {
-        std::vector<double> all, by;
-    };
-    void product(std::span<const double> x, std::span<double> y, Room& room) const;
     /// E of all columns.
     double energy(std::span<const double> x) const;
     /// All of it but the rotation, in `columns()` alone.

@@ -78,8 +78,9 @@ void FormBuilder<D>::find_lattice()
         const Index<D> f = index_.index(face.face) - index_.low;
         bool unit = face.low >= 0 && face.high >= 0 && std::abs(face.length - 1) < same && std::abs(face.area - 1) < same;
         for (int axis = 0; axis < D && unit; ++axis) // and the cells on either side
-            unit = std::abs(width_[axis][f[axis] < std::ssize(width_[axis]) ? f[axis] : 0] - 1) < same &&
-                   (axis != face.axis || std::abs(width_[axis][f[axis] > 0 ? f[axis] - 1 : width_[axis].size() - 1] - 1) < same);
+            unit =
+                std::abs(width_[axis][f[axis] < std::ssize(width_[axis]) ? f[axis] : 0] - 1) < same &&
+                (axis != face.axis || std::abs(width_[axis][f[axis] > 0 ? f[axis] - 1 : width_[axis].size() - 1] - 1) < same);
         return unit;
     };
     const int count = form_.velocities();
