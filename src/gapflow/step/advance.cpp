@@ -3,6 +3,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/step/energy_change.hpp"
+#include "gapflow/step/force_passes.hpp"
 #include "gapflow/step/gauge.hpp"
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/mean_flow.hpp"
@@ -38,13 +39,6 @@ constexpr int most_passes = 6;
 constexpr int passes_of_work = 3;
 // Of a body's energy at its mean velocity, that at the velocity with which it went: half as fast.
 constexpr double starting = 0.25;
-
-/// Impulses of the fluid's forces on the fluid's own impulse over a step, of every solid: trapezium of dT/dx, and what is missing in their work.
-template <int D>
-struct StepForces {
-    std::vector<Twist<D>> mean;    ///< dt times the mean of `force`
-    std::vector<Twist<D>> missing; ///< correction
-};
 
 template <int D>
 std::vector<Twist<D>> trapezium(const std::vector<Twist<D>>& a, const std::vector<Twist<D>>& b, double dt)
@@ -405,6 +399,7 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
                               model.grid_velocity, step.dt);
     const ContactSet<D> contacts = state.contacts;
     const Twist<D> grid = stream_twist<D>(model.grid_velocity);
+    ForcePasses<D> passes(before, model.scene.density);
     double last = std::numeric_limits<double>::infinity();
     state.forces_settle = true;
     int left = passes_of_work; // of a step whose forces do not settle
@@ -457,7 +452,7 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
                                    ": only the work that they do acts");
         }
         last = missed;
-        forces = std::move(next);
+        forces = state.forces_settle ? passes.next(forces, std::move(next)) : std::move(next);
     }
     report.corrected_energy = work_of([&](std::size_t b) { return forces.missing[b]; }, state.bodies, old, now).sum;
     state.dt = step.dt;
