@@ -45,7 +45,7 @@ StepForces<D> ForcePasses<D>::next(const StepForces<D>& given, StepForces<D> ans
     const Eigen::VectorXd error = scaled(answer) - scaled(given);
     const int count = static_cast<int>(answers_.size());
     StepForces<D> combined = answer;
-    if (count > 0) {
+    if (count > 1) { // most steps need no more
         Eigen::MatrixXd change(error.size(), count);
         for (int k = 0; k < count; ++k)
             change.col(k) = error - errors_[k];

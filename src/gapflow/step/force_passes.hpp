@@ -17,7 +17,7 @@ struct StepForces {
 };
 
 /// Combines the answers so far with the weights, summing to one, with which the last answers would have differed least from what they answer (Anderson):
-/// a pass that overshoots, or falls short, in few directions then costs no more passes than there are of these.
+/// a pass that overshoots, or falls short, in few directions then costs few passes more than there are of these. From the third answer on.
 template <int D>
 class ForcePasses {
 public:
