@@ -95,9 +95,13 @@ private:
                 b_.shape().convex() && into_material(q.normal) < 0 &&
                 add_vertex_inside(p, size, [&](const Vec<D>& n, double) { return into_material(n) > 0; }))
                 return;
-            // Where two corners touch, the nearest face may be one that ends there, with A on both sides of its plane.
-            if (no_direction || (vertex >= 0 && std::abs(q.distance) < round_off * size && !in_front(vertex, q.normal)))
+            if (no_direction)
                 return; // the bodies' faces and edges find this place too
+            // Where two corners touch, the nearest face may be one that ends there, with A on both sides of its plane.
+            if (vertex >= 0 && std::abs(q.distance) < round_off * size && !in_front(vertex, q.normal)) {
+                add_vertex_inside(p, size, [&](const Vec<D>& n, double) { return in_front(vertex, n); });
+                return;
+            }
             add(p, radius, q.x, q.normal, q.distance - radius);
             return;
         }
