@@ -195,13 +195,14 @@ def thrown(tank, bodies):
     return []
 
 
-def on_parts(scene):
-    """The scene of ideal fluid on parts, without what such runs have not."""
+def on_parts(scene, viscous=False):
+    """The scene on parts, of ideal fluid if not `viscous`, without what such runs have not."""
     def kept(table):
-        return {key: value for key, value in table.items() if not (key == "exit" or (key, value) == ("contact", "dry"))}
+        return {key: value for key, value in table.items() if key not in ("exit", "entrance_loss")}
+    left_out = ("vapour_pressure",) if viscous else ("viscosity", "vapour_pressure", "velocity")
     scene = {**scene, "gap": {**kept(scene.get("gap", {})), "model": "parts"}}
     scene["gap"].pop("threshold", None)
-    scene["fluid"] = {key: value for key, value in scene.get("fluid", {}).items() if key not in ("viscosity", "vapour_pressure", "velocity")}
+    scene["fluid"] = {key: value for key, value in scene.get("fluid", {}).items() if key not in left_out}
     if "pair" in scene:
         scene["pair"] = [kept(pair) for pair in scene["pair"]]
     return scene
@@ -212,7 +213,7 @@ def examine(number, limit=LIMIT, save=None, reynolds=None, parts=False):
     with tempfile.TemporaryDirectory() as folder:
         scene, tank = kinds.make(number, folder, reynolds)
         if parts:
-            scene = on_parts(scene)
+            scene = on_parts(scene, reynolds is not None)
         file, out = Path(folder) / "scene.toml", Path(folder) / "out"
         file.write_text(harness.scene_text(scene))
         start = time.monotonic()
@@ -353,7 +354,7 @@ def main():
     run.add_argument("--limit", metavar="SECONDS", type=float, default=LIMIT, help="of the processor, for a scene")
     run.add_argument("--reynolds", metavar=("LEAST", "LARGEST"), nargs=2, type=float, help="between these instead of a scene's own, all fluid viscous")
     run.add_argument("--save", metavar="FOLDER", help="scenes with defects go here")
-    run.add_argument("--parts", action="store_true", help="ideal fluid with gap.model = \"parts\", without dry contact, jets, vapour pressure and flow at the start")
+    run.add_argument("--parts", action="store_true", help="gap.model = \"parts\", without jets and vapour pressure; ideal fluid at rest at the start but with --reynolds")
     judge = commands.add_parser("judge")
     judge.add_argument("file", nargs="+", type=Path)
     commands.add_parser("show").add_argument("number", type=int)

@@ -102,16 +102,16 @@ ContactFeatures<D> contact_features(const Shape<D>& shape)
                                           straight || !shape.convex()}); // a mesh's edges are straight
             }
     }
-    std::vector<Vec<D>> inward(count, Vec<D>::Zero()); // along each edge once for every element at it
+    std::vector<std::vector<Vec<D>>> beside(count); // along each edge once for every element at it
     for (const auto& element : mesh.elements)
         for (int v : element)
             for (int other : element)
                 if (other != v)
-                    inward[v] += (mesh.vertices[other] - mesh.vertices[v]).normalized();
+                    beside[v].push_back((mesh.vertices[other] - mesh.vertices[v]).normalized());
     for (std::size_t v = 0; v < count; ++v)
         if (convex[v] || (curved[v] && !hollow[v])) {
             features.vertices.push_back(mesh.vertices[v]);
-            features.inward.push_back(inward[v]);
+            features.beside.push_back(std::move(beside[v]));
         }
     return features;
 }

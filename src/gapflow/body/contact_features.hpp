@@ -20,7 +20,7 @@ template <int D>
 struct ContactFeatures {
     std::vector<Core<D>> cores;
     std::vector<Vec<D>> vertices;
-    std::vector<Vec<D>> inward; ///< of each vertex: sum of the unit vectors to the surface's vertices beside it
+    std::vector<std::vector<Vec<D>>> beside; ///< of each vertex: unit vectors to the surface's vertices beside it
     std::vector<ContactEdge> edges;
     int patches = 0;
 };

@@ -41,7 +41,7 @@ public:
         for (const Core<D>& core : of_a_.cores)
             add_segment(a_.to_world(core.from), a_.to_world(core.to), core.radius);
         for (std::size_t v = 0; v < of_a_.vertices.size(); ++v)
-            add_point(a_.to_world(of_a_.vertices[v]), 0, a_.rotation() * of_a_.inward[v]);
+            add_point(a_.to_world(of_a_.vertices[v]), 0, static_cast<int>(v));
         if constexpr (D == 3)
             for (const ContactEdge& edge : of_a_.edges)
                 if (!edge.straight)
@@ -69,8 +69,8 @@ private:
             found_.push_back({x, y, normal, distance});
     }
 
-    /// A ball of the given radius about p (0: a vertex, with the direction into A's material) against B.
-    void add_point(const Vec<D>& p, double radius, const Vec<D>& inward = Vec<D>::Zero())
+    /// A ball of the given radius about p (0: a vertex, with its number among A's features if it is one) against B.
+    void add_point(const Vec<D>& p, double radius, int vertex = -1)
     {
         if (!b_.shape().inside_out() && out_of_reach(p, radius))
             return;
@@ -85,12 +85,23 @@ private:
                 return;
             }
             // A mesh may reach around B: only its material at the vertex tells. In a corner the nearest face may be one that it never passed.
-            if (q.distance < -round_off * size && !inward.isZero(0) && !a_.shape().convex() && !a_.shape().inside_out() &&
-                b_.shape().convex() && q.normal.dot(inward) < 0 &&
-                add_vertex_inside(p, size, [&](const Vec<D>& n, double) { return n.dot(inward) > 0; }))
+            const auto into_material = [&](const Vec<D>& n) {
+                double sum = 0;
+                for (const Vec<D>& arm : of_a_.beside[vertex])
+                    sum += n.dot(a_.rotation() * arm);
+                return sum;
+            };
+            if (q.distance < -round_off * size && vertex >= 0 && !a_.shape().convex() && !a_.shape().inside_out() &&
+                b_.shape().convex() && into_material(q.normal) < 0 &&
+                add_vertex_inside(p, size, [&](const Vec<D>& n, double) { return into_material(n) > 0; }))
                 return;
             if (no_direction)
                 return; // the bodies' faces and edges find this place too
+            // Where two corners touch, the nearest face may be one that ends there, with A on both sides of its plane.
+            if (vertex >= 0 && std::abs(q.distance) < round_off * size && !in_front(vertex, q.normal)) {
+                add_vertex_inside(p, size, [&](const Vec<D>& n, double) { return in_front(vertex, n); });
+                return;
+            }
             add(p, radius, q.x, q.normal, q.distance - radius);
             return;
         }
@@ -113,6 +124,14 @@ private:
                 add(p, 0, y, normal, along);
             }
         }
+    }
+
+    /// Whether A's surface at its vertex lies on the outer side of a face of B with this normal, or nearly.
+    bool in_front(int vertex, const Vec<D>& normal) const
+    {
+        const std::vector<Vec<D>>& beside = of_a_.beside[vertex];
+        return std::all_of(beside.begin(), beside.end(),
+                           [&](const Vec<D>& arm) { return normal.dot(a_.rotation() * arm) >= -nearly_beyond; });
     }
 
     /// Whether A lies on the outer side of a face of B with this normal that its vertex p is so deep behind, or nearly.

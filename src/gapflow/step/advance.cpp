@@ -3,6 +3,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/step/energy_change.hpp"
+#include "gapflow/step/force_passes.hpp"
 #include "gapflow/step/gauge.hpp"
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/mean_flow.hpp"
@@ -38,13 +39,6 @@ constexpr int most_passes = 6;
 constexpr int passes_of_work = 3;
 // Of a body's energy at its mean velocity, that at the velocity with which it went: half as fast.
 constexpr double starting = 0.25;
-
-/// Impulses of the fluid's forces on the fluid's own impulse over a step, of every solid: trapezium of dT/dx, and what is missing in their work.
-template <int D>
-struct StepForces {
-    std::vector<Twist<D>> mean;    ///< dt times the mean of `force`
-    std::vector<Twist<D>> missing; ///< correction
-};
 
 template <int D>
 std::vector<Twist<D>> trapezium(const std::vector<Twist<D>>& a, const std::vector<Twist<D>>& b, double dt)
@@ -94,14 +88,14 @@ Twist<D> along_grid(const FollowedBody<D>& followed, const Twist<D>& twist)
 /// Impulses of the free bodies that do the work which the trapezium of the forces, `mean`, misses of 1/2 V (N' - N) V': in each group of bodies in proportion to their own
 /// momenta M V_m, V_m the mean twist. Where bodies turn back within the step, so that their energy at V_m is small, no larger than at half their speeds.
 /// Where the grid goes with a body, `grid` its velocity, V_m is that over the grid, and this body takes the reactions and does `work_of_grid`, the work of the
-/// vorticity under the grid. What goes over the grid with less
-/// energy than the solver's `tolerance` leaves of the whole is let alone. `impacts`: of contacts that change velocities, none if empty: they give back what the
+/// vorticity under the grid. What goes with `negligible` energy is let alone: a body that contacts hold has round-off for a direction, and an impulse
+/// that does work along it has no bound. `impacts`: of contacts that change velocities, none if empty: they give back what the
 /// forces err in their directions, so that what is missing is told from their own work only where it is more than that.
 template <int D>
 std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_before, const Instant<D>& before,
                                        const std::vector<RigidBody<D>>& bodies, const Instant<D>& after,
                                        const std::vector<Twist<D>>& mean, const std::vector<Twist<D>>& impacts,
-                                       const Twist<D>& grid, double work_of_grid, double tolerance, double dt)
+                                       const Twist<D>& grid, double work_of_grid, double negligible, double dt)
 {
     const Twist<D> stream = stream_twist<D>(before.stream), end_stream = stream_twist<D>(after.stream);
     EnergyChange change = energy_change(*before.placed, before.flow, *after.placed, after.flow,
@@ -110,14 +104,12 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
     std::vector<Twist<D>> impulse(mean.size(), Twist<D>::Zero());
     const FollowedBody<D>& followed = before.followed;
     Twist<D> lead = Twist<D>::Zero(), mean_of_all = Twist<D>::Zero();
-    double energy = 0; // of the whole motion, which may be large where little goes over the grid
     if (followed.body >= 0) {
         const int b = followed.body;
         lead = along_grid(followed,
                           Twist<D>(0.5 * (before.flow.twists[b] + after.flow.twists[b]) + stream)); // which does not change
         for (const Twist<D>& one : mean)
             mean_of_all += one;
-        energy = energy_of(before, bodies_before);
     }
     const bool takes_reactions = followed.body >= 0 && bodies[followed.body].motion == Motion::free;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -155,7 +147,7 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
     }
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (const int group = change.group[b]; group >= 0 && square[group] > 0)
-            impulse[b] *= square[group] > tolerance * energy ? change.work[group] / square[group] : 0.0;
+            impulse[b] *= square[group] > negligible ? change.work[group] / square[group] : 0.0;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (takes_reactions && static_cast<int>(b) != followed.body)
             impulse[followed.body] -= along_grid(followed, impulse[b]);
@@ -229,10 +221,10 @@ void add_outflow(const Coupling<D>& system, const UnknownVector<D>& outflow, con
 template <int D>
 StepForces<D> forces_of(const Instant<D>& old, const std::vector<RigidBody<D>>& before, const Instant<D>& now,
                         const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& impacts, const Twist<D>& grid,
-                        double work_of_grid, double tolerance, double dt)
+                        double work_of_grid, double negligible, double dt)
 {
     StepForces<D> forces{trapezium<D>(old.force, now.force, dt), {}};
-    forces.missing = missing_impulses(before, old, bodies, now, forces.mean, impacts, grid, work_of_grid, tolerance, dt);
+    forces.missing = missing_impulses(before, old, bodies, now, forces.mean, impacts, grid, work_of_grid, negligible, dt);
     return forces;
 }
 
@@ -376,6 +368,20 @@ void end_with_viscosity(const Model<D>& model, const ContactSet<D>& contacts, co
         now.displaced.clear(); // they do not know voids
 }
 
+/// Kinetic energy that loads give in a step to bodies at rest that nothing holds, with the fluid that they displace.
+template <int D>
+double energy_of_loads(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, double dt)
+{
+    double energy = 0;
+    for (const RigidBody<D>& body : bodies)
+        if (body.motion == Motion::free) {
+            const Twist<D> load = dt * explicit_wrench(body, to_vec<D>(model.scene.gravity), model.scene.density);
+            const double with_fluid = 1 + model.scene.density * std::abs(body.volume) / body.mass;
+            energy += 0.5 * load.dot(impulse_response(body, load, dt)) / with_fluid;
+        }
+    return energy;
+}
+
 /// Share of the energy that the work of a pass may miss.
 double may_miss(int pass)
 {
@@ -405,6 +411,8 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
                               model.grid_velocity, step.dt);
     const ContactSet<D> contacts = state.contacts;
     const Twist<D> grid = stream_twist<D>(model.grid_velocity);
+    const double of_loads = energy_of_loads(model, before, step.dt), energy_before = energy_of(old, before);
+    ForcePasses<D> passes(before, model.scene.density);
     double last = std::numeric_limits<double>::infinity();
     state.forces_settle = true;
     int left = passes_of_work; // of a step whose forces do not settle
@@ -428,26 +436,28 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
         };
         find_flow<D>(solve, voids, pass, now);
         timed("forces", [&] { find_forces(now); });
+        const double negligible = model.scene.tolerance * (of_loads + std::max(energy_before, now.energy));
         const bool is_kept = model.viscous() || mean_flow.found(now, state.bodies);
         if (!state.forces_settle) {
             if (--left == 0)
                 break;
             forces.missing = timed("forces", [&] {
-                return missing_impulses(before, old, state.bodies, now, none, {}, grid, turned.work_of_grid(now),
-                                        model.scene.tolerance, step.dt);
+                return missing_impulses(before, old, state.bodies, now, none, {}, grid, turned.work_of_grid(now), negligible,
+                                        step.dt);
             });
             continue;
         }
         StepForces<D> next = timed("forces", [&] {
             return forces_of(old, before, now, state.bodies, state.contacts.impact_impulses(old.force.size()), grid,
-                             turned.work_of_grid(now), model.scene.tolerance, step.dt);
+                             turned.work_of_grid(now), negligible, step.dt);
         });
         const auto change = [&](std::size_t b) {
             return Twist<D>(next.mean[b] + next.missing[b] - forces.mean[b] - forces.missing[b]);
         };
         const double energy = energy_of(now, before), missed = work_of(change, state.bodies, old, now).magnitude +
                                                                timed("vorticity", [&] { return std::abs(turned.work(now)); });
-        if ((pass > 1 || now.flow.remainder.empty()) && (is_kept || pass == most_passes) && missed <= may_miss(pass) * energy)
+        if ((pass > 1 || now.flow.remainder.empty()) && (is_kept || pass == most_passes) &&
+            missed <= may_miss(pass) * energy + negligible)
             break;
         state.forces_settle = pass < most_passes && !(pass > 1 && missed > std::max(last, energy));
         if (!state.forces_settle) {
@@ -457,7 +467,7 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
                                    ": only the work that they do acts");
         }
         last = missed;
-        forces = std::move(next);
+        forces = state.forces_settle ? passes.next(forces, std::move(next)) : std::move(next);
     }
     report.corrected_energy = work_of([&](std::size_t b) { return forces.missing[b]; }, state.bodies, old, now).sum;
     state.dt = step.dt;

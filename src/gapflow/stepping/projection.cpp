@@ -16,6 +16,8 @@ namespace gapflow {
 
 namespace {
 
+constexpr double round_off = 1e-13; // of a sum, of the largest of what cancels in it
+
 // A pocket squeezed by a prescribed body has no solution: the error names it. `magnitude`: of the right-hand side's parts.
 template <int D>
 void check_compatibility(const Coupling<D>& coupling, const UnknownVector<D>& rhs, double magnitude, long step)
@@ -72,6 +74,24 @@ void hold(Coupling<D>& coupling, const ContactSet<D>& contacts, const std::vecto
     hold_contacts(coupling, held, forced);
 }
 
+/// Sum of the squares of what the walls' motion by a - b drives out of each row. Collective.
+template <int D>
+double squares_of_flux(const Coupling<D>& coupling, const std::vector<Twist<D>>& a, const std::vector<Twist<D>>& b)
+{
+    double sum = 0;
+    const auto add = [&](const auto& entry) {
+        const double flux = entry.flux.dot(a[entry.body] - b[entry.body]);
+        sum += flux * flux;
+    };
+    for (const auto& entry : coupling.cell_flux)
+        if (coupling.grid->owns(entry.row))
+            add(entry);
+    for (const auto& entry : coupling.node_flux)
+        if (coupling.system.owns(entry.row))
+            add(entry);
+    return coupling.grid->comm().sum(sum);
+}
+
 } // namespace
 
 template <int D>
@@ -114,6 +134,7 @@ void Projection<D>::assemble(bool voids_changed, bool links_changed)
         rhs_.nodes += beside.nodes;
         squares_ += dot(*coupling.grid, beside, beside);
     }
+    held_squares_ = start_.contacts ? squares_of_flux<D>(coupling, start_.forced, without_pressure_) : 0.0;
     enter_gauge(coupling, without_pressure_, rhs_);
     for (long i = 0; i < rhs_.cells.size(); ++i)
         rhs_.cells.data()[i] *= -1;
@@ -133,7 +154,9 @@ void Projection<D>::assemble(bool voids_changed, bool links_changed)
 template <int D>
 SolveReport Projection<D>::solve(double tolerance)
 {
-    SolveReport report = solver_->solve(impulse_, rhs_, 1e-13 * std::sqrt(squares_), tolerance);
+    // Of what contacts have taken away, round-off is left, which need not be solved for.
+    const double least = round_off * std::max(std::sqrt(squares_), std::sqrt(held_squares_) / tolerance);
+    SolveReport report = solver_->solve(impulse_, rhs_, least, tolerance);
     stages_.add("solve", report.seconds);
     solver_seconds_ += report.seconds;
     if (!report.converged)

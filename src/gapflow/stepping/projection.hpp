@@ -78,7 +78,7 @@ private:
     Eigen::VectorXd contact_impulse_, held_impulse_; ///< of the held contacts, with and without pressure
     UnknownVector<D> rhs_;
     Eigen::VectorXd node_outflow_;
-    double squares_ = 0, solver_seconds_ = 0;
+    double squares_ = 0, held_squares_ = 0, solver_seconds_ = 0;
 };
 
 } // namespace gapflow

@@ -36,39 +36,54 @@ bool still(const Solid<D>& solid)
     return solid.wall || solid.motion == Motion::fixed;
 }
 
-/// Two solids that come too near.
+/// Two solids that are near each other, or come near as others are moved.
 template <int D>
 struct ClosePair {
     int a, b;
-    Vec<D> normal;  ///< towards a
-    double missing; ///< of their least distance
+    Separation<D> nearest;
+    Vec<D> shift; ///< of b
+    double roughness;
+
+    double least() const { return least_distance * roughness; }
+    bool overlap() const { return nearest.distance < -roughness; }
 };
 
-/// Moves the solids that may move until all are apart.
+/// Ways of the solids that may move until all pairs have their least distance.
 template <int D>
-void set_apart(const std::vector<ClosePair<D>>& touches, double enough, std::vector<Solid<D>>& solids)
+std::vector<Vec<D>> set_apart(const std::vector<ClosePair<D>>& pairs, double enough, const std::vector<Solid<D>>& solids)
 {
     std::vector<Vec<D>> way(solids.size(), Vec<D>::Zero());
-    double worst = touches.empty() ? 0.0 : enough + 1;
+    double worst = enough + 1;
     for (int sweep = 0; sweep < most_sweeps && worst > enough; ++sweep) {
         worst = 0;
-        for (const ClosePair<D>& touch : touches) {
-            const double missing = touch.missing - touch.normal.dot(way[touch.a] - way[touch.b]);
-            if (!(missing > 0))
+        for (const ClosePair<D>& pair : pairs) {
+            const Vec<D>& n = pair.nearest.normal;
+            const double missing = pair.least() - pair.nearest.distance - n.dot(way[pair.a] - way[pair.b]);
+            if (!(missing > 0) || pair.overlap())
                 continue;
             worst = std::max(worst, missing);
-            const bool a = !still(solids[touch.a]), b = !still(solids[touch.b]);
+            const bool a = !still(solids[pair.a]), b = !still(solids[pair.b]);
             if (a)
-                way[touch.a] += (b ? 0.5 : 1.0) * missing * touch.normal;
+                way[pair.a] += (b ? 0.5 : 1.0) * missing * n;
             if (b)
-                way[touch.b] -= (a ? 0.5 : 1.0) * missing * touch.normal;
+                way[pair.b] -= (a ? 0.5 : 1.0) * missing * n;
         }
     }
-    for (std::size_t s = 0; s < solids.size(); ++s)
-        if (!way[s].isZero(0)) {
-            solids[s].shape = solids[s].shape.shifted(way[s]);
-            solids[s].centre += way[s];
-        }
+    return way;
+}
+
+/// What the surfaces lack of their roughness, or of their distance if that is more, once the solids have gone their ways.
+template <int D>
+Standoff<D> standoff_of(const ClosePair<D>& pair, const std::vector<Solid<D>>& solids, const std::vector<Vec<D>>& way,
+                        double dx)
+{
+    const auto& [place, n, distance] = pair.nearest;
+    const double apart = pair.overlap() ? 0.0 : distance + n.dot(way[pair.a] - way[pair.b]);
+    Standoff<D> standoff{std::max(0.0, std::max(pair.roughness, distance) - std::max(0.0, apart)) / dx, PairTwist<D>::Zero()};
+    if (!pair.overlap() && distance < pair.roughness)
+        standoff.rate << -wrench<D>(n, (place - solids[pair.a].centre) / dx),
+            wrench<D>(n, (place - solids[pair.b].centre - pair.shift) / dx);
+    return standoff;
 }
 
 } // namespace
@@ -96,30 +111,40 @@ RoughSolids<D> rough_solids(const Scene& scene, const Grid<D>& grid, std::vector
             features[s] = contact_features(all[s].shape.shape());
         return *features[s];
     };
-    std::vector<ClosePair<D>> touches;
-    for (const NearPair<D>& near : near_pairs<D>(all, grid.origin(), grid.origin() + grid.size(), period, roughest)) {
-        const Solid<D>&a = all[near.a], &b = all[near.b];
-        if (still(a) && still(b) && !names_pair(scene, a.name, b.name))
-            continue;
-        const double roughness = roughness_of(scene, a.name, b.name);
-        if (!(roughness > 0))
-            continue;
-        const std::optional<Separation<D>> found =
-            separation<D>(a.shape, features_of(near.a), b.shape.shifted(near.shift), features_of(near.b), roughness);
-        if (!found || !(found->distance < roughness))
-            continue;
-        const Vec<D>& n = found->normal;
-        const double distance = found->distance, least = least_distance * roughness;
-        const bool overlap = distance < -roughness, touch = !overlap && distance < least;
-        Standoff<D> standoff{(roughness - (touch ? least : std::max(distance, 0.0))) / dx, PairTwist<D>::Zero()};
-        if (!overlap)
-            standoff.rate << -wrench<D>(n, (found->place - a.centre) / dx),
-                wrench<D>(n, (found->place - b.centre - near.shift) / dx);
-        rough.standoffs.add(near.a, near.b, standoff);
-        if (touch)
-            touches.push_back({near.a, near.b, n, least - distance});
+    const auto pairs_within = [&](double reach) {
+        std::vector<ClosePair<D>> pairs;
+        for (const NearPair<D>& near : near_pairs<D>(all, grid.origin(), grid.origin() + grid.size(), period, reach)) {
+            const Solid<D>&a = all[near.a], &b = all[near.b];
+            if (still(a) && still(b) && !names_pair(scene, a.name, b.name))
+                continue;
+            const double roughness = roughness_of(scene, a.name, b.name);
+            if (!(roughness > 0))
+                continue;
+            const std::optional<Separation<D>> found =
+                separation<D>(a.shape, features_of(near.a), b.shape.shifted(near.shift), features_of(near.b), reach);
+            if (found && found->distance < reach)
+                pairs.push_back({near.a, near.b, *found, near.shift, roughness});
+        }
+        return pairs;
+    };
+    std::vector<ClosePair<D>> pairs;
+    std::vector<Vec<D>> way;
+    double reach = 0; // a stack's upper bodies go farther, and may meet others
+    for (double needed = roughest; reach < needed;) {
+        reach = needed;
+        pairs = pairs_within(reach);
+        way = set_apart<D>(pairs, 1e-3 * least_distance * roughest, all);
+        for (const Vec<D>& one : way)
+            needed = std::max(needed, least_distance * roughest + 2 * one.norm());
     }
-    set_apart<D>(touches, 1e-3 * least_distance * roughest, rough.solids);
+    for (const ClosePair<D>& pair : pairs)
+        if (const Standoff<D> standoff = standoff_of<D>(pair, all, way, dx); standoff.distance > 0)
+            rough.standoffs.add(pair.a, pair.b, standoff);
+    for (std::size_t s = 0; s < all.size(); ++s)
+        if (!way[s].isZero(0)) {
+            rough.solids[s].shape = rough.solids[s].shape.shifted(way[s]);
+            rough.solids[s].centre += way[s];
+        }
     put_into_planes(grid, rough.solids);
     return rough;
 }

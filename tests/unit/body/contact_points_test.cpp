@@ -166,6 +166,25 @@ TEST(ContactPoints, TipOfAMeshInACorner)
     EXPECT_NEAR(contacts[0].distance, -0.003, 1e-9);
 }
 
+// A box's corner and an outline's at one place, to round-off: the outline is beside the box, on both sides of the plane of its top.
+TEST(ContactPoints, CornerOfAMeshAtTheCornerOfABox)
+{
+    for (int k = 0; k < 24; ++k) {
+        SurfaceMesh<2> outline;
+        outline.vertices = {{0, 0}, {0.07, -0.8}, {0.8, -0.5}, {0.8, 0.65}};
+        for (int i = 0; i < 4; ++i)
+            outline.elements.push_back({i, (i + 1) % 4});
+        Scenery<2> s;
+        const Rotation<2> lean((k % 3 - 1) * std::numbers::pi / 180), direction(k * std::numbers::pi / 12);
+        s.add(make_box<2>({0.4, 1.0}), Vec<2>(0.61, 0.37) - lean * Vec<2>(0.2, 0.5), lean);
+        s.add(make_mesh<2>(std::move(outline), "outline"), Vec<2>(0.61, 0.37) + 1e-11 * (direction * unit<2>(0)));
+        const auto contacts = s.contacts(1e-6);
+        ASSERT_FALSE(contacts.empty()) << k;
+        for (const auto& contact : contacts)
+            EXPECT_GT(std::abs(contact.normal[0]), 0.99) << k;
+    }
+}
+
 TEST(ContactPoints, CapsuleOnFloorAndAcross)
 {
     Scenery<3> s;

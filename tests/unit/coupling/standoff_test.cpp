@@ -117,6 +117,33 @@ TEST(Standoff, ABoxThatLiesOnTheGroundIsAtItsRoughness)
     }
 }
 
+/// Added mass across the gap of the uppermost of five boxes, the four below at the distance `lower` from each other.
+double mass_over_a_column(double lower, double upper, double roughness)
+{
+    Scene scene = two_boxes(0, roughness, 0, true);
+    scene.bodies.resize(1);
+    scene.bodies[0].size = {10, 3, 0};
+    scene.bodies[0].position = {12.31, 2.67, 0};
+    for (int k = 1; k < 5; ++k) {
+        BodyScene box = scene.bodies.back();
+        box.name = "box" + std::to_string(k);
+        box.position[1] += 3 + (k == 4 ? upper : lower);
+        scene.bodies.push_back(box);
+    }
+    return direct_added_mass(World<2>(scene).coupling)(13, 13);
+}
+
+TEST(Standoff, WhatIsMovedApartMeetsNoOther)
+{
+    const double roughness = 0.01;
+    for (const double upper : {0.1, 0.21, 0.3, 0.6, 0.99})
+        EXPECT_NEAR(mass_over_a_column(0, upper * roughness, roughness) / mass_over_a_column(roughness, roughness, 0), 1, 0.02)
+            << upper;
+    EXPECT_NEAR(mass_over_a_column(-0.5 * roughness, 1.05 * roughness, roughness) /
+                    mass_over_a_column(roughness, 1.05 * roughness, 0),
+                1, 0.02);
+}
+
 /// What pairs of solids lack that have a roughness of `cells`.
 template <int D>
 std::function<Standoffs<D>(const std::vector<Solid<D>>&)> rough(const Grid<D>& grid, double cells)

@@ -447,5 +447,62 @@ TEST(Step, SidesInPlanesOfTheGridLieInThemToRoundOff)
     }
 }
 
+/// Steps of what lies at rest: it stays so, and nothing is told.
+void expect_to_rest(const Scene& scene, int steps)
+{
+    Simulation<2> simulation(scene, Communicator());
+    for (int k = 0; k < steps; ++k) {
+        const StepReport report = simulation.step(scene.end);
+        EXPECT_THAT(report.notes, ::testing::IsEmpty()) << "step " << k + 1;
+        EXPECT_LT(kinetic_energy(simulation), 1e-12) << "step " << k + 1;
+    }
+}
+
+// Contacts leave of a velocity what is round-off: no impulse may do work along it.
+TEST(Step, WhatLiesStaysAtRest)
+{
+    for (const double viscosity : {0.0, 0.05}) {
+        Scene scene = box_of_fluid(2, 40, SideScene::Kind::wall);
+        scene.viscosity = viscosity;
+        scene.gravity = {0, -9.81, 0};
+        scene.max_step = 0.003;
+        scene.contact.friction = 1;
+        scene.gap.roughness = viscosity > 0 ? 1e-4 : 0;
+        BodyScene box = body("box", BodyScene::ShapeKind::box, {0.5772, 0.0457, 0});
+        box.size = {0.278, 0.0914, 0};
+        box.density = 2;
+        scene.bodies = {box};
+        expect_to_rest(scene, 15);
+    }
+}
+
+TEST(Step, ABallOnTwoEdgesStaysAtRest)
+{
+    for (const double viscosity : {0.0, 0.0066}) {
+        Scene scene = box_of_fluid(2, 47, SideScene::Kind::wall);
+        scene.size = {0.01175, 0.0135, 0};
+        scene.cells = {47, 54, 1};
+        scene.viscosity = viscosity;
+        scene.gravity = {0, -9.81, 0};
+        scene.max_step = 2.7e-4;
+        scene.contact.friction = 0.1;
+        for (const double x : {0.0021964905076492383, 0.007916798245108329}) {
+            BodyScene box = body(x < 0.005 ? "left" : "right", BodyScene::ShapeKind::box, {x, 0.004497489193956284, 0});
+            box.size = {0.004029692262540909, 0.00125, 0};
+            box.motion = BodyScene::Motion::fixed;
+            scene.bodies.push_back(box);
+        }
+        BodyScene ball = body("ball", BodyScene::ShapeKind::ball, {0.005056644376378784, 0.006310555265515504, 0});
+        ball.radius = 0.001458096759957434;
+        ball.density = 7.675;
+        scene.bodies.push_back(ball);
+        Simulation<2> simulation(scene, Communicator());
+        for (int k = 0; k < 8; ++k) {
+            simulation.step(scene.end);
+            EXPECT_LT(kinetic_energy(simulation), 1e-9) << viscosity << " step " << k + 1;
+        }
+    }
+}
+
 } // namespace
 } // namespace gapflow
