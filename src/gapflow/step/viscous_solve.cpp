@@ -17,10 +17,9 @@ namespace gapflow {
 namespace {
 
 constexpr double row_penalty = 1e4;      // over what the row's own unknowns resist with
-constexpr double narrowest = 1e-6;       // of the largest of these parts: less would be round-off
 constexpr double solve_accuracy = 1e-13; // of the square root of the energy
-constexpr double round_off = 1e-9;       // of the same, where corrections no longer become smaller
-constexpr int most_corrections = 60;
+constexpr double round_off = 1e-4;       // of the same, where velocities found anew change as much again
+constexpr int most_solves = 200;
 constexpr double least_mass =
     1e-3; // of a mode of a body's own mass less what planes see of it, over the system's diagonal: D may take all of a light body's
 
@@ -62,16 +61,13 @@ Eigen::SparseMatrix<double> ones_and(int ones, const std::vector<Eigen::Triplet<
 
 } // namespace
 
-/// Augmented Lagrangian: the rows' outflow has a penalty, so large that a few corrections of the multipliers are enough, each a solve with one factorisation; what
-/// round-off the penalty makes goes with them.
+/// Augmented Lagrangian: the rows' outflow has a penalty, so large that a few solves with one factorisation find the multipliers, by conjugate gradients with it as
+/// the preconditioner: of a chamber with narrow outlets the pressure takes many corrections one after the other, and one of these directions.
 template <int D>
 struct ViscousSolve<D>::Direct {
     Matrix system; ///< without the penalty
     typename ViscousColumns<D>::Rows out;
     std::vector<int> given{};
-    int edges = 0;
-    bool strong =
-        false; ///< over what the row's narrowest edge resists with: rows that wide edges join are nearly one, but slivers get round-off
     Vector penalty{}; ///< of each row's outflow
     SparseCholesky factor{};
 
@@ -80,16 +76,10 @@ struct ViscousSolve<D>::Direct {
         const Vector diagonal = system.diagonal().cwiseAbs();
         penalty.resize(out.rows());
         for (int row = 0; row < out.rows(); ++row) {
-            double least = std::numeric_limits<double>::infinity(), largest = 0, sum = 0;
+            double response = 0;
             for (typename ViscousColumns<D>::Rows::InnerIterator entry(out, row); entry; ++entry)
-                if (entry.value() != 0) {
-                    const double response = entry.value() * entry.value() / diagonal[entry.col()];
-                    sum += response;
-                    largest = std::max(largest, response);
-                    if (entry.col() < edges)
-                        least = std::min(least, response);
-                }
-            const double response = strong ? std::max(std::min(least, largest), narrowest * largest) : sum;
+                if (entry.value() != 0)
+                    response += entry.value() * entry.value() / diagonal[entry.col()];
             penalty[row] = response > 0 ? row_penalty / response : 0.0;
         }
         for (const int row : given)
@@ -130,7 +120,7 @@ void ViscousSolve<D>::set_up_direct(const std::vector<int>& given)
     Matrix H = free_.transpose() * (mass_ + factor_ * Matrix(columns_.rotation())) * free_;
     H += factor_ * Matrix(Matrix(rows.transpose()) * Matrix(rows));
     H += hold_;
-    *direct_ = Direct{std::move(H), out, given, columns_.edges()};
+    *direct_ = Direct{std::move(H), out, given};
     direct_->set_up();
 }
 
@@ -290,6 +280,8 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
                                                               const GivenRows* rows) const
 {
     const Vector& penalty_of = direct_->penalty;
+    const typename ViscousColumns<D>::Rows& out = columns_.outflow();
+    const auto solve = [&](const Vector& push) { return Vector(free_ * direct_->factor.solve(free_.transpose() * push)); };
     Vector d = Vector::Zero(base.size()), outflow = Vector::Zero(penalty_of.size());
     Stage stage{base, outflow};
     if (rows) {
@@ -297,28 +289,45 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
         outflow = -rows->outflow;
     }
     double last = std::numeric_limits<double>::infinity();
+    double largest = 0; // of a load that the rows hold, as under a closed gap, all that is left is round-off
     for (stage.iterations = 1;; ++stage.iterations) {
+        // The velocities of these multipliers; then what round-off has left of them.
         const Vector multiplier = stage.pressure + penalty_of.cwiseProduct(outflow),
-                     rest = load - mass_ * d - friction(stage.y) - columns_.outflow().transpose() * multiplier,
-                     change = free_ * direct_->factor.solve(free_.transpose() * rest);
+                     change = solve(load - mass_ * d - friction(stage.y) - out.transpose() * multiplier);
         d += change;
         stage.y = base + d;
-        outflow = columns_.outflow() * d;
+        outflow = out * d;
         if (rows)
             outflow -= rows->outflow;
-        stage.pressure += penalty_of.cwiseProduct(outflow);
-        const double moved = size(change), whole = size(d);
-        if (moved <= solve_accuracy * whole ||
-            (moved >= 0.5 * last && (moved <= round_off * whole || moved <= solve_accuracy * size(stage.y))))
+        const double moved = size(change);
+        largest = std::max(largest, size(d));
+        if (moved <= solve_accuracy * largest ||
+            (moved >= 0.5 * last && (moved <= round_off * size(d) || moved <= solve_accuracy * size(stage.y)))) {
+            stage.pressure += penalty_of.cwiseProduct(outflow);
             return stage; // of a steady flow all changes are round-off
-        if (stage.iterations == most_corrections && !direct_->strong) {
-            direct_->strong = true;
-            direct_->set_up();
-            return solve_direct(base, load, rows);
         }
-        if (stage.iterations == most_corrections)
-            fail(stage.iterations);
         last = moved;
+        // Conjugate gradients of the multipliers.
+        Vector z = penalty_of.cwiseProduct(outflow), p = z;
+        for (double rz = outflow.dot(z), step_size = std::numeric_limits<double>::infinity();
+             step_size > solve_accuracy * largest;) {
+            const Vector w = solve(out.transpose() * p), s = out * w;
+            const double resistance = p.dot(s);
+            if (!(rz > 0) || !(resistance > 0))
+                break;
+            if (++stage.iterations >= most_solves)
+                fail(stage.iterations);
+            const double step = rz / resistance;
+            stage.pressure += step * p;
+            d -= step * w;
+            outflow -= step * s;
+            step_size = step * size(w);
+            z = penalty_of.cwiseProduct(outflow);
+            const double next = outflow.dot(z);
+            p = z + next / rz * p;
+            rz = next;
+        }
+        stage.y = base + d;
     }
 }
 

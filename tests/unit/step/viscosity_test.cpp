@@ -265,6 +265,25 @@ TEST(Viscosity, RunsGoOnFromTheirState)
 }
 
 // Vortices decay at the rate of their wave numbers, with an error in time of second order.
+// What flows into a chamber leaves it through two slots, a hundredth as wide as it is: 12 mu l q / h^3.
+TEST(Viscosity, AChamberWithNarrowOutlets)
+{
+    Scene scene = box_of_fluid(2, 24, SideScene::Kind::wall);
+    scene.sides[2].kind = SideScene::Kind::inflow;
+    scene.sides[2].velocity = {0, 0.01, 0};
+    scene.sides[3].kind = SideScene::Kind::open;
+    scene.viscosity = 0.01;
+    scene.bodies = {body("piston", BodyScene::ShapeKind::box, {0.5, 0.6, 0})};
+    scene.bodies[0].motion = BodyScene::Motion::fixed;
+    scene.bodies[0].size = {0.98, 0.3, 0};
+    PartsRun<2> run(scene);
+    for (int k = 0; k < 3; ++k)
+        run.step(0.5);
+    const double over = run.state.wrenches[0][1] / (12 * 0.01 * 0.3 * 0.005 / 1e-6);
+    EXPECT_GT(over, 0.99); // and what the slots' ends resist with
+    EXPECT_LT(over, 1.15);
+}
+
 TEST(Viscosity, DecayIsOfSecondOrderInTime)
 {
     const auto energy = [](int steps) {
