@@ -1,6 +1,7 @@
 #include "gapflow/step/viscous_product.hpp"
 
 #include "gapflow/core/sort_unique.hpp"
+#include "gapflow/viscous/lattice_run.hpp"
 
 #include <algorithm>
 #include <map>
@@ -316,19 +317,8 @@ void ViscousProduct<D>::apply(Vector& x, Vector& y) const
     const Eigen::Index n = bodies_.cols();
     if (n > 0)
         y.segment(unknowns_ - n, n).noalias() += bodies_ * x.segment(unknowns_ - n, n);
-    for (const Run& run : runs_) {
-        const double* here = x.data() + run.first;
-        double* by = y.data() + run.first;
-        std::array<const double*, 2 * D> beside;
-        for (int k = 0; k < 2 * D; ++k)
-            beside[k] = x.data() + run.beside[k];
-        for (std::int32_t i = 0; i < run.length; ++i) {
-            double sum = 2 * D * here[i];
-            for (int k = 0; k < 2 * D; ++k)
-                sum -= beside[k][i];
-            by[i] += run.square * sum;
-        }
-    }
+    for (const Run& run : runs_)
+        add_run<D>(run, run.square, x.data(), y.data());
     for (const auto& [at, other] : links_)
         y[at.at] += factor_ * at.factor * (at.factor * x[at.at] - (other.at >= 0 ? other.factor * x[other.at] : 0.0));
     const std::span<const double> from(x.data(), static_cast<std::size_t>(x.size()));

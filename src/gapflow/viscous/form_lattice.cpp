@@ -1,5 +1,6 @@
 // Far from solids: differences of neighbours, in runs of faces where all cells are units; up to closed sides, with rows of the two cells beside these.
 #include "gapflow/viscous/form_builder.hpp"
+#include "gapflow/viscous/lattice_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,19 +11,8 @@ namespace gapflow {
 template <int D>
 void Lattice<D>::add_product(std::span<const double> x, std::span<double> y) const
 {
-    for (const LatticeRun<D>& run : runs) {
-        const double* here = x.data() + run.first;
-        double* by = y.data() + run.first;
-        std::array<const double*, 2 * D> beside;
-        for (int k = 0; k < 2 * D; ++k)
-            beside[k] = x.data() + run.beside[k];
-        for (std::int32_t i = 0; i < run.length; ++i) {
-            double sum = 2 * D * here[i];
-            for (int k = 0; k < 2 * D; ++k)
-                sum -= beside[k][i];
-            by[i] += sum;
-        }
-    }
+    for (const LatticeRun<D>& run : runs)
+        add_run<D>(run, 1, x.data(), y.data());
     for (const auto& [face, other] : links)
         y[face] += x[face] - x[other];
 }
