@@ -204,7 +204,6 @@ void ViscousProjection<D>::find_weighted(const Vector& residual, Vector& z) cons
     const Eigen::Index edges = weight_.size(), fluid = columns_.twist(0);
     z.resize(unknowns_);
     z.head(edges) = residual.head(edges).cwiseProduct(weight_);
-    z.segment(edges, fluid - edges).setZero();
     if (const Eigen::Index n = unknowns_ - fluid; n > 0)
         z.tail(n) = bodies_.solve(residual.segment(fluid, n));
 }

@@ -32,7 +32,7 @@ public:
 
 private:
     Vector pressure_of(const Vector& outflow, double tolerance) const;
-    void find_weighted(const Vector& residual, Vector& z) const; ///< G^-1 r of edges and twists
+    void find_weighted(const Vector& residual, Vector& z) const; ///< G^-1 r of edges and twists, no traces
 
     /// Edges, one after the other along the first axis, as cells are: between these. The root of their conductance.
     struct Run {

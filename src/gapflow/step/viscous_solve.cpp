@@ -126,12 +126,11 @@ void ViscousSolve<D>::set_up_direct(const std::vector<int>& given)
 
 template <int D>
 auto ViscousSolve<D>::body_block(const Placed<D>& at, const std::vector<TwistMatrix<D>>& mass,
-                                 std::vector<Eigen::Triplet<double>> friction) const -> Matrix
+                                 std::vector<Eigen::Triplet<double>> entries) const -> Matrix
 {
     constexpr int T = twist_size<D>;
     const Coupling<D>& coupling = at.coupling;
     const auto admitted = [&](int s) -> const TwistMatrix<D>& { return coupling.solids[s].admissible; };
-    std::vector<Eigen::Triplet<double>>& entries = friction;
     Vector diagonal = Vector::Zero(free_.cols() - columns_.twist(0));
     for (const auto& entry : entries)
         if (entry.row() == entry.col())

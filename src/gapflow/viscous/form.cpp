@@ -320,18 +320,6 @@ void add(std::span<const Term> terms, RowList& to)
     to.end.push_back(static_cast<std::int64_t>(to.column.size()));
 }
 
-void merge(std::vector<Term>& terms)
-{
-    std::sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) { return a.column < b.column; });
-    std::size_t n = 0;
-    for (const Term& term : terms)
-        if (n > 0 && terms[n - 1].column == term.column)
-            terms[n - 1].factor += term.factor;
-        else
-            terms[n++] = term;
-    terms.resize(n);
-}
-
 template <int D>
 void FormBuilder<D>::add_row(double weight, Terms& row)
 {
@@ -375,9 +363,7 @@ void FormBuilder<D>::add_between(int component, int across, const Index<D>& high
     std::array<double, 4> width;
     for (int k = 0; k < 4; ++k) {
         const Index<D> g = index_.wrapped(Index<D>(high + (k - 2) * step<D>(across)));
-        Index<D> cell = g;
-        cell[component] = std::min(g[component], index_.high()[component] - 1);
-        face[k] = index_.holds(cell) ? whole_face_[component][index_(g)] : -1;
+        face[k] = whole_face_at(component, g);
         width[k] = face[k] < 0 ? 0 : width_[across][g[across] - index_.low[across]];
     }
     const bool uniform = std::abs(width[0] - width[1]) + std::abs(width[3] - width[2]) + std::abs(width[2] - width[1]) < 1e-9;

@@ -89,15 +89,7 @@ void FormBuilder<2>::add_vertex(std::int32_t vertex, int component, double facto
     if (on_closed_side(v))
         return add_sides(v, component, factor, to);
     const int across = 1 - component;
-    bool compact = false;
-    for (int side = 0; side < 2; ++side) {
-        const Index<2> f = index_.wrapped(Index<2>(v - side * step<2>(across)));
-        Index<2> cell = f;
-        cell[component] = std::min(f[component], index_.high()[component] - 1);
-        const std::int32_t face = index_.holds(cell) ? whole_face_[component][index_(f)] : -1;
-        compact = compact || (face >= 0 && compact_[face]);
-    }
-    if (compact)
+    if (is_compact_edge(v, component, across))
         return add_between(component, across, v, factor, to);
     std::int32_t& trace = vertex_trace_[component][vertex];
     if (trace < 0)

@@ -5,6 +5,7 @@
 #include "gapflow/grid/inline_vector.hpp"
 #include "gapflow/viscous/curve_points.hpp"
 #include "gapflow/viscous/form.hpp"
+#include "gapflow/viscous/merge_terms.hpp"
 #include "gapflow/viscous/parameters.hpp"
 #include "gapflow/viscous/plane_element.hpp"
 
@@ -103,9 +104,6 @@ void find_simplices(const std::vector<Vec<D>>& points, std::vector<std::array<Ve
             result.push_back({points[k], points[k + 1 < points.size() ? k + 1 : 0], middle});
     }
 }
-
-/// Columns ascending, each once.
-void merge(std::vector<Term>& terms);
 
 /// A row of columns that differ.
 void add(std::span<const Term> terms, RowList& to);

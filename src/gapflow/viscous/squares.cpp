@@ -1,21 +1,28 @@
 #include "gapflow/viscous/squares.hpp"
 
+#include "gapflow/viscous/merge_terms.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace gapflow {
 
+void merge(std::vector<Term>& terms)
+{
+    std::sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) { return a.column < b.column; });
+    std::size_t n = 0;
+    for (const Term& term : terms)
+        if (n > 0 && terms[n - 1].column == term.column)
+            terms[n - 1].factor += term.factor;
+        else
+            terms[n++] = term;
+    terms.resize(n);
+}
+
 void Row::merge()
 {
-    std::sort(terms_.begin(), terms_.end(), [](const Term& a, const Term& b) { return a.column < b.column; });
-    std::size_t n = 0;
-    for (const Term& term : terms_)
-        if (n > 0 && terms_[n - 1].column == term.column)
-            terms_[n - 1].factor += term.factor;
-        else
-            terms_[n++] = term;
-    terms_.resize(n);
+    gapflow::merge(terms_);
 }
 
 void SquareSum::add(double row_weight, Row row)
