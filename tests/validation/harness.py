@@ -14,6 +14,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 REFERENCE = ROOT / "tests" / "data" / "reference"
 COMMAND = os.environ.get("GAPFLOW", str(ROOT / "build" / "release" / "apps" / "gapflow"))
+MODEL = None             # gap.model of the scenes that name none; None: the program's default
 PICTURES = {}            # Markdown shown under a section's heading, set by the modules that have pictures
 PICTURE_FOLDER = None    # where cases draw them; None: they do not
 
@@ -39,8 +40,23 @@ def toml(value):
     return repr(float(value)) if not isinstance(value, int) else str(value)
 
 
+def on_parts(scene, viscous=True):
+    """The scene with gap.model = "parts", of ideal fluid if not `viscous`, without what such runs have not or ignore."""
+    def kept(table):
+        return {key: value for key, value in table.items() if key not in ("exit", "entrance_loss", "threshold")}
+    left_out = () if viscous else ("viscosity", "vapour_pressure", "velocity")
+    scene = {**scene, "gap": {**kept(scene.get("gap", {})), "model": "parts"}}
+    if "fluid" in scene:
+        scene["fluid"] = {key: value for key, value in scene["fluid"].items() if key not in left_out}
+    if "pair" in scene:
+        scene["pair"] = [kept(pair) for pair in scene["pair"]]
+    return scene
+
+
 def scene_text(scene):
-    """TOML of {"domain": {...}, "body": [{...}], ...}; a dict of dicts becomes tables, a list of dicts array tables."""
+    """TOML of {"domain": {...}, "body": [{...}], ...}, on MODEL where it names no model; a dict of dicts becomes tables, a list of dicts array tables."""
+    if MODEL == "parts" and "model" not in scene.get("gap", {}):
+        scene = on_parts(scene)
     lines = [f"{k} = {toml(v)}" for k, v in scene.items() if not isinstance(v, dict) and k not in ("body", "pair", "probe")]
     for name, table in scene.items():
         if isinstance(table, dict):

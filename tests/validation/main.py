@@ -1,4 +1,4 @@
-"""Runs the validation: python3 main.py [--quick] [--write FILE.md | --into FILE.md] [--rows FILE.json] [--only case,...] [module ...]
+"""Runs the validation: python3 main.py [--quick] [--write FILE.md | --into FILE.md] [--rows FILE.json] [--only case,...] [--model parts] [module ...]
 
 Modules (default: all of MODULES, in their order) have ALL, a list of case functions: each takes `quick` and
 generates harness.Row. Every row is printed as it comes; --write puts them all into a Markdown file, a table a section; --into puts the sections that
@@ -46,13 +46,13 @@ class KeptRows:
     """Rows and seconds of finished cases in a file, by the case's name and what it depends on."""
 
     def __init__(self, file, quick):
-        self.file, self.quick = file, quick
+        self.file, self.marks = file, (" quick" if quick else "") + (f" on {harness.MODEL}" if harness.MODEL else "")
         self.kept = json.loads(file.read_text()) if file and file.exists() else {}
         self.command = Path(harness.COMMAND).read_bytes()
 
     def key(self, module, case):
         digest = hashlib.sha256(self.command + Path(module.__file__).read_bytes() + Path(harness.__file__).read_bytes()).hexdigest()[:16]
-        return f"{module.__name__}.{case.__name__}{' quick' if self.quick else ''} {digest}"
+        return f"{module.__name__}.{case.__name__}{self.marks} {digest}"
 
     def get(self, module, case):
         found = self.kept.get(self.key(module, case))
@@ -112,8 +112,10 @@ def main():
     parser.add_argument("--into", metavar="FILE", type=Path, help="Markdown table of an earlier run, whose sections are replaced")
     parser.add_argument("--rows", metavar="FILE", type=Path, help="keeps the rows of finished cases of a run that is stopped")
     parser.add_argument("--only", metavar="CASE,...", help="names of case functions of the modules")
+    parser.add_argument("--model", choices=["parts"], help="gap.model of the scenes that name none, in place of the program's default")
     parser.add_argument("module", nargs="*", choices=[[], *MODULES], help=", ".join(MODULES))
     options = parser.parse_args()
+    harness.MODEL = options.model
     cases = chosen_cases(options.module or MODULES, options.only.split(",") if options.only else None)
     if target := options.write or options.into:
         harness.PICTURE_FOLDER = target.parent / "images"

@@ -195,25 +195,12 @@ def thrown(tank, bodies):
     return []
 
 
-def on_parts(scene, viscous=False):
-    """The scene on parts, of ideal fluid if not `viscous`, without what such runs have not."""
-    def kept(table):
-        return {key: value for key, value in table.items() if key not in ("exit", "entrance_loss")}
-    left_out = ("vapour_pressure",) if viscous else ("viscosity", "vapour_pressure", "velocity")
-    scene = {**scene, "gap": {**kept(scene.get("gap", {})), "model": "parts"}}
-    scene["gap"].pop("threshold", None)
-    scene["fluid"] = {key: value for key, value in scene.get("fluid", {}).items() if key not in left_out}
-    if "pair" in scene:
-        scene["pair"] = [kept(pair) for pair in scene["pair"]]
-    return scene
-
-
 def examine(number, limit=LIMIT, save=None, reynolds=None, parts=False):
     """Runs a scene; a record of what it did, "defects" being a list of short texts, empty when all is well (slowness is judged among a kind)."""
     with tempfile.TemporaryDirectory() as folder:
         scene, tank = kinds.make(number, folder, reynolds)
         if parts:
-            scene = on_parts(scene, reynolds is not None)
+            scene = harness.on_parts(scene, reynolds is not None)
         file, out = Path(folder) / "scene.toml", Path(folder) / "out"
         file.write_text(harness.scene_text(scene))
         start = time.monotonic()

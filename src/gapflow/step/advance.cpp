@@ -1,6 +1,7 @@
 #include "gapflow/step/advance.hpp"
 
 #include "gapflow/body/forces.hpp"
+#include "gapflow/core/error.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/step/energy_change.hpp"
 #include "gapflow/step/force_passes.hpp"
@@ -9,6 +10,7 @@
 #include "gapflow/step/mean_flow.hpp"
 #include "gapflow/step/pressure.hpp"
 #include "gapflow/step/remainder.hpp"
+#include "gapflow/step/sealed.hpp"
 #include "gapflow/step/viscosity.hpp"
 #include "gapflow/step/viscous_end.hpp"
 #include "gapflow/step/void_solve.hpp"
@@ -382,6 +384,17 @@ double energy_of_loads(const Model<D>& model, const std::vector<RigidBody<D>>& b
     return energy;
 }
 
+/// Throws ComputationError where enclosed fluid has no way out but between surfaces that touch.
+template <int D>
+void require_ways_out(const Model<D>& model, const Instant<D>& now, const FluidVelocity<D>& velocity,
+                      const std::vector<Contact<D>>& contacts, const Step& step)
+{
+    const std::vector<Twist<D>> twists = moved_by<D>(now.flow.twists, stream_twist<D>(now.stream));
+    if (const std::string squeezed = squeezed_on_parts(model, *now.placed, contacts, twists, velocity, GivesWay::unblocked);
+        !squeezed.empty())
+        throw ComputationError("step " + std::to_string(step.number) + ": " + squeezed);
+}
+
 /// Share of the energy that the work of a pass may miss.
 double may_miss(int pass)
 {
@@ -478,6 +491,7 @@ Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>&
         end_with_viscosity(model, contacts, mass, loads, step, voids, state, report, timers, now);
     finish_bodies(model, moved_by<D>(now.flow.twists, stream_twist<D>(now.stream)), step, state);
     FluidVelocity<D> velocity = face_velocities(now);
+    require_ways_out(model, now, velocity, state.contacts.contacts(), step);
     state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, model.grid_velocity, step.dt);
     state.velocity = std::move(velocity);
     voids.give_pressure(now.flow, state.pressure.impulse);

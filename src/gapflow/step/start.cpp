@@ -5,6 +5,7 @@
 #include "gapflow/step/gauge.hpp"
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/remainder.hpp"
+#include "gapflow/step/sealed.hpp"
 #include "gapflow/step/void_solve.hpp"
 #include "gapflow/stepping/core_requirement.hpp"
 #include "gapflow/stepping/force_parts.hpp"
@@ -86,6 +87,10 @@ Instant<D> start_with(const Model<D>& model, State<D>& state, StepReport& report
     Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), state.drive.flow);
     instant.kept = std::move(kept);
     state.velocity = face_velocities(instant);
+    if (const std::string squeezed = squeezed_on_parts(model, *instant.placed, std::vector<Contact<D>>{},
+                                                       model.twists(state.bodies), state.velocity, GivesWay::bodies);
+        !squeezed.empty())
+        throw ComputationError("step 1: " + squeezed);
     state.potential = instant.flow.p;
     state.remainder = instant.flow.remainder;
     state.pressure.impulse = {CellField<D>(model.grid), Eigen::VectorXd::Zero(instant.flow.p.nodes.size())};

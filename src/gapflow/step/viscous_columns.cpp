@@ -313,16 +313,6 @@ Eigen::VectorXd ViscousColumns<D>::given(const GivenSides<D>& sides) const
 }
 
 template <int D>
-Eigen::VectorXd ViscousColumns<D>::by_fluxes(const Vector& by_form) const
-{
-    Vector y = Vector::Zero(edges());
-    for (int face = 0; face < form_.velocities(); ++face)
-        for (const Through& of : through(face))
-            y[of.edge] += of.factor * by_form[face];
-    return y;
-}
-
-template <int D>
 Eigen::VectorXd ViscousColumns<D>::of_flow(const PotentialFlow<D>& flow) const
 {
     const Grid<D>& grid = *at_.coupling.grid;

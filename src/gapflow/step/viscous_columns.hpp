@@ -57,8 +57,6 @@ public:
     /// Its diagonal, nearly. Of edges whose faces have traces beside them, with the traces at the means of the faces beside them.
     Vector diagonal() const;
     const ViscousForm<D>& of_form() const { return form_; }
-    /// Of the derivatives by the form's velocities: those by the edges' fluxes.
-    Vector by_fluxes(const Vector& by_form) const;
 
     /// Momenta of a flow, its twists.
     Vector of_flow(const PotentialFlow<D>& flow) const;

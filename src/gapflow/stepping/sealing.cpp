@@ -53,27 +53,15 @@ double speed_of_inflows(const Grid<D>& grid, const FluidVelocity<D>& u)
 
 // Film nodes where the surfaces touch and do not part, and the pairs that do.
 template <int D>
-std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
-                             const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& V, const FluidVelocity<D>& u,
+std::vector<char> shut_nodes(const Coupling<D>& coupling, const TouchingGaps<D>& touching, const std::vector<Twist<D>>& V,
                              std::set<std::pair<int, int>>& pairs)
 {
-    double fastest = speed_of_inflows(*coupling.grid, u);
-    for (const Twist<D>& twist : V)
-        fastest = std::max(fastest, twist.template head<D>().norm());
-    const double dx = coupling.grid->dx();
-    std::map<std::pair<int, int>, double> held; // largest distance at which a pair's contacts hold
-    for (const Contact<D>& c : contacts)
-        if (c.closed && c.point.distance <= std::max(c.hold, rough * dx)) // others are still about to close
-            held[std::minmax(c.point.a, c.point.b)] = std::max(held[std::minmax(c.point.a, c.point.b)], c.point.distance);
     std::vector<char> shut(coupling.system.nodes, 0);
     for (const Film<D>& film : coupling.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
-        const double floor = gaps(mesh.master, mesh.other).floor;
-        if (floor >= rough * dx)
+        const double most = touching.thickest(mesh.master, mesh.other);
+        if (most < 0)
             continue;
-        const auto contact = held.find(std::minmax(mesh.master, mesh.other));
-        const double most =
-            flush_within * (contact == held.end() ? floor : std::max(floor, contact->second)) + thickness_error * dx;
         std::vector<char> parts(mesh.h.size(), 0);
         std::vector<double> slope(mesh.h.size(),
                                   1.0); // at an edge h is along the normal of the face beside it: the surfaces are nearer
@@ -82,7 +70,7 @@ std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<Ga
             const Vec<D> of_other = velocity_at<D>(V[mesh.other], e.centroid - coupling.solids[mesh.other].centre - mesh.shift);
             const double half = std::clamp(e.normal.dot(e.into_other), 0.0, 1.0);
             for (int node : e.nodes) {
-                parts[node] = parts[node] || e.normal.dot(of_other - of_master) > parting * fastest;
+                parts[node] = parts[node] || touching.part(e.normal.dot(of_other - of_master));
                 slope[node] = std::min(slope[node], std::max(2 * half * half - 1, -facing_cosine));
             }
         }
@@ -168,19 +156,6 @@ std::string names(const Coupling<D>& coupling, const std::set<std::pair<int, int
     return joined(list, ", ");
 }
 
-// Is there something prescribed that may change a volume?
-template <int D>
-bool anything_prescribed(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, GivesWay gives_way)
-{
-    bool any = false;
-    for (std::size_t s = 0; s < coupling.solids.size(); ++s)
-        any = any || (coupling.solids[s].motion == Motion::prescribed && !twists[s].isZero(0)) ||
-              (gives_way == GivesWay::nothing && !coupling.solids[s].wall && !twists[s].isZero(0));
-    for (int s = 0; s < 2 * D; ++s)
-        any = any || coupling.grid->side(s / 2, s % 2) == SideKind::inflow;
-    return any;
-}
-
 // Connected shut nodes: what their surfaces squeeze out as they close goes to the parts beside them.
 struct ShutFilm {
     double flux = 0; ///< as in Balance::driven, of all solids
@@ -230,17 +205,15 @@ std::vector<ShutFilm> shut_films(const Coupling<D>& coupling, const std::vector<
 // Parts of the fluid with the shut nodes closed: the fluxes into them, and the bodies on which their pressure acts.
 template <int D>
 struct Pockets {
-    Pockets(const Coupling<D>& of, const std::vector<char>& shut, const std::vector<Twist<D>>& twists,
+    /// `within`: parts in shut gaps, whose volume is the contact's condition.
+    Pockets(const Coupling<D>& of, FluidParts<D> of_fluid, const std::vector<char>& within, const std::vector<Twist<D>>& twists,
             const FluidVelocity<D>& u, GivesWay who)
-        : coupling(of), gives_way(who), parts(find_parts(of, shut)), balance(of, parts, twists, u),
+        : coupling(of), gives_way(who), parts(std::move(of_fluid)), balance(of, parts, twists, u),
           forces(forces_of(of, parts, area)), largest(balance.magnitude.size() > 0 ? balance.magnitude.maxCoeff() : 0.0),
-          is_pocket(parts.components.size()), films(shut_films(of, shut, parts, balance))
+          is_pocket(parts.components.size())
     {
         for (int k = 0; k < count(); ++k)
-            is_pocket[k] = !parts.components[k].grounded;
-        for (int node = 0; node < coupling.system.nodes; ++node)
-            if (shut[node]) // the volume of these is the contact's condition
-                is_pocket[parts.node_component[node]] = 0;
+            is_pocket[k] = !parts.components[k].grounded && !within[k];
     }
 
     int count() const { return static_cast<int>(parts.components.size()); }
@@ -466,7 +439,52 @@ std::string squeeze_by(const Pockets<D>& all, const std::vector<int>& list, cons
            where_is(*all.coupling.grid, all.parts, list[k]) + ")";
 }
 
+template <int D>
+std::string squeezed_among(const Pockets<D>& all, const std::vector<Contact<D>>& contacts,
+                           const std::set<std::pair<int, int>>& pairs)
+{
+    const Chain chain = driven_chain(all, contacts);
+    if (chain.pockets.empty())
+        return {};
+    const std::vector<int> list(chain.pockets.begin(), chain.pockets.end());
+    const Eigen::MatrixXd idle = idle_pressures(all, chain, list, contacts);
+    for (long j = 0; j < idle.cols(); ++j)
+        if (const std::string squeeze = squeeze_by<D>(all, list, idle.col(j)); !squeeze.empty())
+            return squeeze + ", which has no way out where " + names(all.coupling, pairs) +
+                   " touch; open a side, correct the motion or the inflow, or leave a gap";
+    return {};
+}
+
 } // namespace
+
+template <int D>
+TouchingGaps<D>::TouchingGaps(const Coupling<D>& coupling, std::function<GapSettings(int, int)> gaps,
+                              const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& twists,
+                              const FluidVelocity<D>& u)
+    : gaps_(std::move(gaps)), fastest_(speed_of_inflows(*coupling.grid, u)), dx_(coupling.grid->dx())
+{
+    for (const Twist<D>& twist : twists)
+        fastest_ = std::max(fastest_, twist.template head<D>().norm());
+    for (const Contact<D>& c : contacts)
+        if (c.closed && c.point.distance <= std::max(c.hold, rough * dx_)) // others are still about to close
+            held_[std::minmax(c.point.a, c.point.b)] = std::max(held_[std::minmax(c.point.a, c.point.b)], c.point.distance);
+}
+
+template <int D>
+double TouchingGaps<D>::thickest(int a, int b) const
+{
+    const double floor = gaps_(a, b).floor;
+    if (floor >= rough * dx_)
+        return -1;
+    const auto contact = held_.find(std::minmax(a, b));
+    return flush_within * (contact == held_.end() ? floor : std::max(floor, contact->second)) + thickness_error * dx_;
+}
+
+template <int D>
+bool TouchingGaps<D>::part(double speed) const
+{
+    return speed > parting * fastest_;
+}
 
 template <int D>
 std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
@@ -476,26 +494,48 @@ std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<Gap
     if (!anything_prescribed(coupling, twists, gives_way))
         return {};
     std::set<std::pair<int, int>> pairs;
-    const std::vector<char> shut = shut_nodes(coupling, gaps, contacts, twists, u, pairs);
+    const std::vector<char> shut = shut_nodes(coupling, TouchingGaps<D>(coupling, gaps, contacts, twists, u), twists, pairs);
     if (pairs.empty())
         return {};
-    const Pockets<D> all(coupling, shut, twists, u, gives_way);
-    const Chain chain = driven_chain(all, contacts);
-    if (chain.pockets.empty())
-        return {};
-    const std::vector<int> list(chain.pockets.begin(), chain.pockets.end());
-    const Eigen::MatrixXd idle = idle_pressures(all, chain, list, contacts);
-    for (long j = 0; j < idle.cols(); ++j)
-        if (const std::string squeeze = squeeze_by<D>(all, list, idle.col(j)); !squeeze.empty())
-            return squeeze + ", which has no way out where " + names(coupling, pairs) +
-                   " touch; open a side, correct the motion or the inflow, or leave a gap";
-    return {};
+    FluidParts<D> parts = find_parts(coupling, shut);
+    std::vector<char> within(parts.components.size(), 0);
+    for (int node = 0; node < coupling.system.nodes; ++node)
+        if (shut[node])
+            within[parts.node_component[node]] = 1;
+    Pockets<D> all(coupling, std::move(parts), within, twists, u, gives_way);
+    all.films = shut_films(coupling, shut, all.parts, all.balance);
+    return squeezed_among(all, contacts, pairs);
+}
+
+template <int D>
+std::string squeezed_pocket(const Coupling<D>& coupling, const std::vector<char>& within,
+                            const std::set<std::pair<int, int>>& pairs, const std::vector<Contact<D>>& contacts,
+                            const std::vector<Twist<D>>& twists, const FluidVelocity<D>& u, GivesWay gives_way)
+{
+    return squeezed_among(Pockets<D>(coupling, find_parts(coupling, {}), within, twists, u, gives_way), contacts, pairs);
+}
+
+template <int D>
+bool anything_prescribed(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, GivesWay gives_way)
+{
+    bool any = false;
+    for (std::size_t s = 0; s < coupling.solids.size(); ++s)
+        any = any || (coupling.solids[s].motion == Motion::prescribed && !twists[s].isZero(0)) ||
+              (gives_way == GivesWay::nothing && !coupling.solids[s].wall && !twists[s].isZero(0));
+    for (int s = 0; s < 2 * D; ++s)
+        any = any || coupling.grid->side(s / 2, s % 2) == SideKind::inflow;
+    return any;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::string squeezed_pocket<D>(const Coupling<D>&, const std::function<GapSettings(int, int)>&,                   \
                                             const std::vector<Contact<D>>&, const std::vector<Twist<D>>&,                      \
-                                            const FluidVelocity<D>&, GivesWay);
+                                            const FluidVelocity<D>&, GivesWay);                                                \
+    template std::string squeezed_pocket<D>(const Coupling<D>&, const std::vector<char>&,                                      \
+                                            const std::set<std::pair<int, int>>&, const std::vector<Contact<D>>&,              \
+                                            const std::vector<Twist<D>>&, const FluidVelocity<D>&, GivesWay);                  \
+    template bool anything_prescribed<D>(const Coupling<D>&, const std::vector<Twist<D>>&, GivesWay);                          \
+    template class TouchingGaps<D>;
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -218,14 +218,14 @@ double TouchSearch<D>::limited() const
             continue;
         const Solid<D>&a = solids_[pair.a], &b = solids_[pair.b];
         const double met = model_.scene.least_distance(a.name, b.name), gap = now->distance - met;
-        const double passed = first_at(pair, *now, met + std::min(gap, 0.0) - allowed, end);
-        if (passed >= end)
+        // Those that overlap from the start on count as one solid; others do not by what short steps add up to.
+        const bool apart_at_start = gap > -allowed && !a.shape.shape().inside_out() && !b.shape.shape().inside_out();
+        const double passed = first_at(pair, *now, met + std::min(gap, 0.0) - allowed, end),
+                     driven = apart_at_start && gap < 0 ? first_at(pair, *now, met - allowed, end) : passed;
+        if (apart_at_start && driven < end && !stops(pair, driven))
+            throw driven_into_each_other(a.name, b.name, state_.time + driven);
+        if (passed >= end || !stops(pair, passed))
             continue;
-        if (!stops(pair, passed)) { // those that overlap from the start on count as one solid
-            if (gap > -allowed && !a.shape.shape().inside_out() && !b.shape.shape().inside_out())
-                throw driven_into_each_other(a.name, b.name, state_.time + passed);
-            continue;
-        }
         end = first_at(pair, *now, met + std::min(gap - allowed, 0.0), passed);
     }
     return end;
