@@ -391,8 +391,7 @@ void EdgeMouths::add_to(Complex<3>& complex) const
         const Place here = place(image, number, edge.along().dot(link.at - edge.from));
         link.mouth = -1;
         if (link.covered > 0) // as stiff as the edge, or as any link is
-            link.conductance =
-                std::max(link.conductance, 1 / std::max(parameters.least_covered, here.own / link.conductance));
+            link.conductance = std::max(link.conductance, 1 / std::max(parameters.least_covered, here.own / link.conductance));
         if (!edge.leads())
             continue;
         if (!here.mouth) {

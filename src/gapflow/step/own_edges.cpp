@@ -11,6 +11,37 @@ void add_own(std::vector<double>& sum, const std::vector<double>& own)
         sum[e] += own[e];
 }
 
+namespace {
+
+std::pair<std::int32_t, std::int32_t> pair_of(const std::array<std::int32_t, 2>& solid)
+{
+    return std::minmax<std::int32_t>(solid[0], solid[1]);
+}
+
+/// The circulation around an edge across a corner's line and the faces beside it: of the edge of the same solids that lies nearest to where the corner has moved to.
+template <int D>
+void carry_at_corners(const Placed<D>& from, const std::vector<double>& own, const Placed<D>& to, std::vector<double>& carried)
+{
+    const double reach = to.coupling.grid->dx();
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::pair<Vec<D>, double>>> known;
+    for (const CornerEdge<D>& edge : from.edges.at_corners) {
+        const int s = edge.solid[0];
+        const Vec<D> moved = to.coupling.solids[s].shape.to_world(from.coupling.solids[s].shape.to_body(edge.at));
+        known[pair_of(edge.solid)].emplace_back(moved, own[edge.edge]);
+    }
+    for (const CornerEdge<D>& edge : to.edges.at_corners) {
+        const auto of = known.find(pair_of(edge.solid));
+        double nearest = reach;
+        for (const auto& [at, value] : of == known.end() ? std::vector<std::pair<Vec<D>, double>>{} : of->second)
+            if (const double distance = to.coupling.grid->nearest_image(at - edge.at).norm(); distance < nearest) {
+                nearest = distance;
+                carried[edge.edge] = value;
+            }
+    }
+}
+
+} // namespace
+
 template <int D>
 std::vector<double> own_along_edges(const Placed<D>& at, const Remainder<D>& remainder)
 {
@@ -48,6 +79,7 @@ std::vector<double> carried_along_edges(const Placed<D>& from, const std::vector
         if (const std::int32_t its = from.edges.edge_of_piece[nearest]; its >= 0)
             carried[edge] = own[its];
     }
+    carry_at_corners(from, own, to, carried);
     return carried;
 }
 

@@ -18,12 +18,13 @@ namespace {
 
 template <int D>
 EdgesOfParts<D> edges_of_parts(const Grid<D>& grid, const Coupling<D>& coupling, const Complex<D>& complex,
-                               const Inertia<D>& inertia)
+                               std::span<const MouthArm<D>> arms, const Inertia<D>& inertia)
 {
     EdgesOfParts<D> result;
     result.edge_of_piece.assign(complex.pieces.size(), -1);
     result.edge_of_link.assign(complex.links.size(), -1);
     const double unit = std::pow(grid.dx(), D - 2) / coupling.density;
+    const auto in_world = [&](const Vec<D>& x) { return Vec<D>(grid.anchor() + grid.dx() * x); };
     const auto begin = [&](double conductance, std::int32_t piece, std::int32_t link, std::int32_t mouth) {
         result.edges.push_back({conductance, piece, link, mouth, static_cast<std::int32_t>(result.rows.size()), 0});
         return static_cast<std::int32_t>(result.edges.size()) - 1;
@@ -58,15 +59,23 @@ EdgesOfParts<D> edges_of_parts(const Grid<D>& grid, const Coupling<D>& coupling,
             result.edge_of_link[k] = begin(unit * inertia.link_conductance[k], -1, static_cast<std::int32_t>(k), -1);
             add_row(PartOrCell::part(link.a), 1);
             add_row(PartOrCell::part(link.b), -1);
+            result.at_corners.push_back({result.edge_of_link[k], {link.solid, link.solid}, in_world(link.at)});
         }
     std::vector<std::int32_t> edge_of_mouth(inertia.mouths.size(), -1);
-    for (std::size_t k = 0; k < inertia.mouths.size(); ++k)
-        if (const RowsLink<D>& mouth = inertia.mouths[k];
-            grid.owns(grid.wrapped(complex.index.index(complex.cell_of(mouth.first))))) {
-            edge_of_mouth[k] = begin(unit * mouth.conductance, -1, -1, static_cast<std::int32_t>(k));
-            for (const auto& [row, weight] : mouth.rows)
-                add_row(row, weight);
-        }
+    auto arm = arms.begin();
+    for (std::size_t k = 0; k < inertia.mouths.size(); ++k, ++arm) {
+        while (!(arm->resistance > 0))
+            ++arm;
+        const RowsLink<D>& mouth = inertia.mouths[k];
+        if (!grid.owns(grid.wrapped(complex.index.index(complex.cell_of(mouth.first)))))
+            continue;
+        edge_of_mouth[k] = begin(unit * mouth.conductance, -1, -1, static_cast<std::int32_t>(k));
+        for (const auto& [row, weight] : mouth.rows)
+            add_row(row, weight);
+        result.at_corners.push_back(
+            {edge_of_mouth[k], arm->solid,
+             in_world(arm->link >= 0 ? complex.links[arm->link].at : complex.pieces[arm->piece].centroid)});
+    }
     const double area = std::pow(grid.dx(), D - 1);
     for (const FaceFlux<D>& of : inertia.face_flux) {
         Twist<D> flux = area * of.flux;
@@ -143,7 +152,7 @@ void couple(const Model<D>& model, const std::vector<Solid<D>>& solids, const st
     if (!at.arms.empty())
         at.gaps = std::make_unique<const GapDerivatives<D>>(model.grid, at.coupling.solids, complex, at.arms);
     if (with_edges) {
-        at.edges = edges_of_parts(model.grid, at.coupling, complex, inertia);
+        at.edges = edges_of_parts<D>(model.grid, at.coupling, complex, mouths, inertia);
         at.edges.covered = covered_fluxes(at);
     }
     if (at.rotational)
@@ -179,15 +188,16 @@ Placed<D> placed_for_energy(const Model<D>& model, const std::vector<RigidBody<D
     const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
     result.complex = build_complex<D>(model.grid, solids);
     const Complex<D>& complex = result.complex;
-    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, find_gap_arms<D>(model.grid, solids, complex, standoffs),
-                                               find_mouth_arms<D>(model.grid, solids, complex, standoffs), circulation);
+    const std::vector<MouthArm<D>> mouths = find_mouth_arms<D>(model.grid, solids, complex, standoffs);
+    const Inertia<D> inertia =
+        find_inertia<D>(model.grid, complex, find_gap_arms<D>(model.grid, solids, complex, standoffs), mouths, circulation);
     const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
     result.coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
     result.node = result.coupling.part_node;
     result.rotational = circulation;
     if (circulation) {
         result.coupling.clipper = std::make_shared<FaceClipper<D>>(model.grid, result.coupling.solids, FractionMode::cut_cell);
-        result.edges = edges_of_parts(model.grid, result.coupling, complex, inertia);
+        result.edges = edges_of_parts<D>(model.grid, result.coupling, complex, mouths, inertia);
         result.edges.covered = covered_fluxes(result);
     }
     return result;

@@ -28,6 +28,14 @@ struct SparseEdge {
     std::int32_t first_row = 0, rows = 0; ///< in EdgesOfParts::rows
 };
 
+/// An edge across the line (3D: plane) by which a sharp corner divides the fluid.
+template <int D>
+struct CornerEdge {
+    std::int32_t edge;
+    std::array<std::int32_t, 2> solid; ///< the corner's, and of a mouth the one across; else the corner's again
+    Vec<D> at;
+};
+
 /// Flux of a solid's twist along a face of the grid or an edge, which K has.
 template <int D>
 struct CarriedFlux {
@@ -45,6 +53,7 @@ struct EdgesOfParts {
     std::vector<typename SparseEdge<D>::Row> rows;
     std::vector<std::int32_t> edge_of_piece; ///< -1: none
     std::vector<std::int32_t> edge_of_link;
+    std::vector<CornerEdge<D>> at_corners;
     std::vector<CarriedFlux<D>> carried; ///< of this rank's faces
     std::vector<CarriedFlux<D>> covered; ///< the same of what solids cover of them, which is not the fluid's
 
