@@ -336,7 +336,7 @@ template <int D>
 typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& base, const Vector& load, const Stage* like,
                                                                  const GivenRows* rows) const
 {
-    constexpr int most_iterations = 3000;
+    constexpr int most_iterations = 3000, slow_iterations = 32; // after which what is dissipated is asked for
     const ViscousProjection<D>& projection = projected_->projection;
     Vector x = Vector::Zero(free_.cols()); // change in the unknowns
     if (like && like->change.size() > 0)
@@ -353,12 +353,16 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
     p.head(n) = x;
     projected_->product.apply(p, q);
     Vector r = free_.transpose() * force - q.head(n), z;
-    // Relative to the kinetic energy, or where there is none to what is gained: slip along walls that nothing resists yet has residuals of any size.
+    // Relative to the kinetic energy, or to what the stage dissipates if that is more, or where there is none to what is gained: slip along walls that nothing resists yet has residuals of any size.
     double rz = 0, largest_outflow = projection.size_of(base), scale = base.dot(mass_ * base);
     const bool from_rest = !(scale > 0);
     for (stage.iterations = 0;; ++stage.iterations) {
         stage.pressure += projection.project(r, z, largest_outflow); // r without what a pressure holds
         const double next = r.dot(z);
+        if (stage.iterations > 0 && stage.iterations % slow_iterations == 0) {
+            const Vector y = base + free_ * x;
+            scale = std::max(scale, y.dot(friction(y)));
+        }
         if (next >= 0 && next <= tolerance_ * tolerance_ * scale)
             break;
         if (stage.iterations == most_iterations || !(next > 0))

@@ -299,6 +299,23 @@ TEST(Viscosity, SliversOfFacesKeepTheFlow)
     EXPECT_LT(run.energy(), 2 * start);
 }
 
+// Two plates at a gap of 0.16 cells, whose ends have mouths: what flows in them is kept from step to step.
+TEST(Viscosity, PlatesThatAreDrivenApartGoAsInIdealFluidWhereItIsSmall)
+{
+    const auto speed = [](double viscosity) {
+        Scene scene = two_plates(16, 16, 0.16, 0);
+        scene.viscosity = viscosity;
+        for (BodyScene& plate : scene.bodies)
+            plate.force = {0, plate.name == "upper" ? 1.0 : -1.0, 0};
+        PartsRun<2> run(scene);
+        for (int k = 0; k < 10; ++k)
+            run.step(0.002);
+        return run.now.flow.twists[1][1] - run.now.flow.twists[0][1];
+    };
+    const double ideal = speed(0);
+    EXPECT_NEAR(speed(1e-12), ideal, 5e-3 * ideal);
+}
+
 // Vortices decay at the rate of their wave numbers, with an error in time of second order.
 TEST(Viscosity, DecayIsOfSecondOrderInTime)
 {
