@@ -391,6 +391,68 @@ TEST(Step, ABodyThatMeetsAWallKeepsItsImpulseAlongIt)
     EXPECT_LT(corrected, 1e-3 * energy);
 }
 
+// What lies flat on a wall and moves into it has met it: no velocity has brought the energy that its gap, as thin as the roughness, would have. Along the wall it goes on.
+template <int D>
+void expect_no_flat_closing()
+{
+    Scene scene = box_of_fluid(D, D == 2 ? 32 : 16, SideScene::Kind::wall);
+    const double dx = scene.spacing();
+    scene.contact.restitution = 1;
+    scene.gap.roughness = 0.005 * dx;
+    BodyScene box = body("box", BodyScene::ShapeKind::box, {0.5, 1 - 2 * dx, 0.5}, {0.3, 0.4, 0});
+    box.size = {8 * dx, 4 * dx, 6 * dx};
+    BodyScene behind = body("behind", BodyScene::ShapeKind::box, {0.5, 1 - 5.5 * dx, 0.5}, {0.3, 0.5, 0}); // flat on it
+    behind.size = {5 * dx, 3 * dx, 4 * dx};
+    behind.density = 100;
+    BodyScene disk = body("disk", BodyScene::ShapeKind::ball, {2 * dx, 0.3, 0.5}, {-0.1, 0, 0});
+    disk.radius = 2 * dx;
+    scene.bodies = {box, behind, disk};
+    const PartsRun<D> run(scene);
+    EXPECT_NEAR(run.state.bodies[0].twist[0], 0.3, 1e-9);
+    EXPECT_NEAR(run.state.bodies[0].twist[1], 0, 1e-9);
+    EXPECT_NEAR(run.state.bodies[1].twist[1], 0, 1e-9);
+    EXPECT_EQ(run.state.bodies[2].twist[0], -0.1) << "a round surface rebounds";
+    EXPECT_LT(run.now.energy, 5 * kinetic_energy(run.state.bodies[0]));
+    EXPECT_THAT(run.report.notes, ::testing::Contains(::testing::HasSubstr("lie flat on each other")));
+}
+
+TEST(Step, WhatLiesFlatOnAWallDoesNotStartIntoIt2D)
+{
+    expect_no_flat_closing<2>();
+}
+
+TEST(Step, WhatLiesFlatOnAWallDoesNotStartIntoIt3D)
+{
+    expect_no_flat_closing<3>();
+}
+
+// A light disk on a stiff spring is pressed by one of 2000 times its mass: with it the oscillation is as visible as its mass makes it, where it turns back too.
+TEST(Step, AHeavyBodyThatPressesASprungOneShowsItsOscillation)
+{
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    const double dx = scene.spacing();
+    scene.gap.roughness = 0.005 * dx;
+    BodyScene sprung = body("sprung", BodyScene::ShapeKind::ball, {0.5, 0.3, 0});
+    sprung.radius = 2 * dx;
+    sprung.spring = SpringScene{{0.5, 0.3, 0}, 1e6, 0};
+    BodyScene heavy = body("heavy", BodyScene::ShapeKind::ball, {0.5, 0.3 + 6.01 * dx, 0}, {0, -0.2, 0});
+    heavy.radius = 4 * dx;
+    heavy.density = 500;
+    scene.bodies = {sprung, heavy};
+    scene.max_step = 0.1;
+    Simulation<2> simulation(scene, Communicator());
+    double start = 0, least = 0;
+    for (int k = 0; k < 400 && simulation.bodies()[1].twist[1] < 0.1; ++k) {
+        const StepReport report = simulation.step(scene.end);
+        const double energy = report.energy_fluid + report.energy_bodies;
+        start = k == 0 ? energy : start;
+        EXPECT_LT(energy, 1.02 * start) << "step " << k + 1;
+        least = std::min(least, simulation.bodies()[0].pose.position[1] - 0.3);
+    }
+    EXPECT_LT(least, -1e-3 * dx);
+    EXPECT_GT(simulation.bodies()[1].twist[1], 0.1); // thrown back
+}
+
 // Sum of fluid and bodies: the work of gravity is the whole change of energy, contacts lose.
 TEST(Step, GravityDoesTheWork)
 {
