@@ -453,6 +453,64 @@ TEST(Step, AHeavyBodyThatPressesASprungOneShowsItsOscillation)
     EXPECT_GT(simulation.bodies()[1].twist[1], 0.1); // thrown back
 }
 
+// A corner whose sides both look at an open side of the domain, in the middle of a cell: as it passes that the energy is continuous (the moment of inertia jumped by 10 %).
+TEST(Step, ACornerPassesAnOpenSide)
+{
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    scene.sides[2].kind = SideScene::Kind::open;
+    const double dx = scene.spacing(), w = 7 * dx, h = 4.2 * dx;
+    std::array<TwistMatrix<2>, 2> N;
+    for (const int in : {0, 1}) {
+        BodyScene box = body("box", BodyScene::ShapeKind::box, {0.513, std::sqrt(0.125) * (w - h) + (in ? 1e-6 : -1e-6) * dx, 0});
+        box.size = {w, h, 0};
+        box.angle = std::numbers::pi / 4;
+        scene.bodies = {box};
+        const Model<2> model(scene, Communicator(), Task::motion);
+        const auto here = placed(model, model.bodies, model.masses(model.bodies, 0.0));
+        for (int k = 0; k < 3; ++k) {
+            std::vector<Twist<2>> V = model.twists(model.bodies);
+            V[0] = Twist<2>::Unit(k);
+            N[in].col(k) = fluid_impulse(*here, flow_of_twists(*here, V, exact()))[0];
+        }
+    }
+    for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(N[0](k, k), N[1](k, k), 1e-3 * N[0](k, k)) << k;
+}
+
+// A disk slides down a fixed one without friction. The contact's normal turns with it, which is no impact: the acceleration goes on, and gravity does no more work
+// than the way tells.
+TEST(Step, WhatSlidesOnARoundSurfaceMeetsItOnce)
+{
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    scene.gravity = {0, -1, 0};
+    scene.max_step = 0.02;
+    const double dx = scene.spacing(), angle = 0.5;
+    scene.gap.roughness = 0.01 * dx;
+    BodyScene base = body("base", BodyScene::ShapeKind::ball, {0.5, 0.35, 0});
+    base.radius = 6 * dx;
+    base.motion = BodyScene::Motion::fixed;
+    const double apart = 9.01 * dx;
+    BodyScene disk = body("disk", BodyScene::ShapeKind::ball, {0.5 + apart * std::sin(angle), 0.35 + apart * std::cos(angle), 0});
+    disk.radius = 3 * dx;
+    disk.density = 20;
+    scene.bodies = {base, disk};
+    Simulation<2> simulation(scene, Communicator());
+    const double volume = std::numbers::pi * disk.radius * disk.radius;
+    double start = 0, energy = 0;
+    for (int k = 0; k < 24; ++k) {
+        const StepReport report = simulation.step(scene.end);
+        const double kinetic = report.energy_fluid + report.energy_bodies,
+                     whole = kinetic + 19 * volume * simulation.bodies()[1].pose.position[1];
+        if (k == 3)
+            start = whole;
+        energy = kinetic;
+        if (k > 3) {
+            EXPECT_NEAR(whole, start, 0.01 * energy) << "step " << k + 1;
+        }
+    }
+    EXPECT_GT(energy, 5 * 0.02 * volume);
+}
+
 // Sum of fluid and bodies: the work of gravity is the whole change of energy, contacts lose.
 TEST(Step, GravityDoesTheWork)
 {
