@@ -511,6 +511,40 @@ TEST(Step, WhatSlidesOnARoundSurfaceMeetsItOnce)
     EXPECT_GT(energy, 5 * 0.02 * volume);
 }
 
+// So is it where the way of a step leads bodies by a little into each other, and they are moved apart again.
+TEST(Step, WhatSlidesOnABodyThatTurnsMeetsItOnce)
+{
+    Scene scene = box_of_fluid(2, 58, SideScene::Kind::wall);
+    scene.size = {0.0145, 0.0125, 0};
+    scene.cells = {58, 50, 1};
+    scene.gravity = {0, -9.81, 0};
+    scene.max_step = 2.8e-4;
+    scene.gap.roughness = 2.5e-7;
+    BodyScene flap = body("flap", BodyScene::ShapeKind::capsule, {0.005474936905516543, 0.006722186484780355, 0});
+    flap.radius = 0.0004544753517611566;
+    flap.length = 0.0022845817411077966;
+    flap.angle = std::numbers::pi / 18;
+    flap.density = 15.9;
+    flap.hinge = HingeScene{{0.00435, 0.0065238297567431, 0}};
+    BodyScene ball = body("ball", BodyScene::ShapeKind::ball, {0.0052207873546596985, 0.008163540212018785, 0});
+    ball.radius = 0.001009113580017453;
+    ball.density = 5.34;
+    scene.bodies = {flap, ball};
+    Simulation<2> simulation(scene, Communicator());
+    double start = 0;
+    for (int k = 0; k < 20; ++k) {
+        const StepReport report = simulation.step(scene.end);
+        const double kinetic = report.energy_fluid + report.energy_bodies;
+        double whole = kinetic;
+        for (const RigidBody<2>& b : simulation.bodies())
+            whole += 9.81 * (b.mass - scene.density * b.volume) * b.centre()[1];
+        start = k == 1 ? whole : start;
+        if (k > 1) {
+            EXPECT_NEAR(whole, start, 5e-3 * kinetic) << "step " << k + 1;
+        }
+    }
+}
+
 // Sum of fluid and bodies: the work of gravity is the whole change of energy, contacts lose.
 TEST(Step, GravityDoesTheWork)
 {
