@@ -3,11 +3,13 @@
 #include "gapflow/complex/edge_mouth.hpp"
 #include "gapflow/complex/join_faces.hpp"
 #include "gapflow/complex/mouth.hpp"
+#include "gapflow/complex/parameters.hpp"
 #include "gapflow/complex/part_borders.hpp"
 #include "gapflow/complex/seen_volume.hpp"
 #include "gapflow/core/threads.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 namespace gapflow {
@@ -26,6 +28,29 @@ DenseIndex<D>::DenseIndex(const Grid<D>& grid)
     }
     *this = DenseIndex(from, to);
     wraps = around;
+}
+
+/// Where the sides of sharp corners lead out of the domain through open sides of it.
+static void find_ways_out(const Grid<2>& grid, const GridPlanes<2>& planes, std::vector<PlacedSolid<2>>& placed)
+{
+    for (PlacedSolid<2>& solid : placed)
+        for (SharpCorner& corner : solid.corners)
+            for (int side = 0; side < 4; ++side) {
+                const int axis = side / 2, sign = side % 2 ? 1 : -1;
+                const double distance = sign * (planes.place_of(axis, side % 2 ? grid.cells()[axis] : 0) - corner.at[axis]);
+                if (!is_open(grid.side(axis, side % 2)) || !(distance > 0))
+                    continue;
+                for (const int turn : {-1, 1}) {
+                    const Vec<2> way =
+                        Eigen::Rotation2Dd(turn * (std::numbers::pi - 0.5 * corner.angle)) * corner.outward;
+                    const double rate = sign * way[axis];
+                    if (!(rate > parameters.parallel) || (corner.length_out > 0 && distance >= rate * corner.length_out))
+                        continue;
+                    corner.way_out = way;
+                    corner.length_out = distance / rate;
+                    corner.axis_out = axis;
+                }
+            }
 }
 
 /// Whether the domain is periodic along an axis.
@@ -62,6 +87,8 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
             high[axis] = planes.place[axis][planes.place[axis].last()] + 2;
         }
     std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
+    if constexpr (D == 2)
+        find_ways_out(grid, planes, placed);
     if constexpr (D == 2)
         if (mouths)
             complex.mouths = find_mouths(planes, solids, placed);

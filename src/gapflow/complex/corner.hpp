@@ -23,6 +23,11 @@ struct SharpCorner {
     int mouth = -1;                   ///< the gap whose end it is
     double reach = 0; ///< of the dividing line, to a little behind the other wall; 0: to the border of the corner's cell
 
+    /// Along one of its two sides to an open side of the domain, beyond which the solid is none of it: direction, length, axis of the side. Length 0: none.
+    Vec<2> way_out = Vec<2>::Zero();
+    double length_out = 0;
+    int axis_out = 0;
+
     bool divides() const { return own > 0 || mouth >= 0; }
 };
 

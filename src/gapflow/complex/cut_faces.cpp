@@ -27,8 +27,14 @@ void add_facets(std::vector<ArcFacet>& facets, std::int32_t number, const Square
             facets.push_back({number, last = segment.surface});
 }
 
-/// From the corner back along its line to the rectangle's border: how far, and across which axis.
-std::pair<double, int> covered_way(const SharpCorner& corner, const Square& square)
+/// From the corner back along its line to the rectangle's border, or along one of its sides out of the domain if that is nearer: a side whose end is in reach is
+/// all that the flow must go around.
+struct CoveredWay {
+    double length;
+    int axis;    ///< across which it ends
+    Vec<2> back; ///< of unit length
+};
+CoveredWay covered_way(const SharpCorner& corner, const Square& square)
 {
     double covered = std::numeric_limits<double>::infinity();
     int across = 0;
@@ -39,7 +45,9 @@ std::pair<double, int> covered_way(const SharpCorner& corner, const Square& squa
                 covered = way;
                 across = axis;
             }
-    return {covered, across};
+    if (corner.length_out > 0 && corner.length_out < covered)
+        return {corner.length_out, corner.axis_out, corner.way_out};
+    return {covered, across, -corner.outward};
 }
 
 /// Rates of what one face's solids and lines define.
@@ -180,13 +188,13 @@ private:
             return;
         const SharpCorner& corner = general_.corner(link.fin);
         const int image = images_[square_.corners[link.fin].solid];
-        const auto [covered, axis] = covered_way(corner, square_);
+        const auto [covered, axis, back] = covered_way(corner, square_);
         if (!(covered > parameters.least_covered) || !(corner.own > 0))
             return;
         const double by_open = corner_conductance(corner.angle, 1, covered) / corner.own;
         add_open(link, by_open);
         // Back from the corner, to the rectangle's border.
-        const Vec<2> n = corner.outward, x = corner.at - covered * n, normal(-n[1], n[0]), arm = solids_[image].reference;
+        const Vec<2> n = -back, x = corner.at - covered * n, normal(-n[1], n[0]), arm = solids_[image].reference;
         const MovingLine<2> own{normal, lever<2>(normal, x - arm), image};
         for (const PointRate<2>& r : meeting_rates<2>(d_, own, {unit<2>(axis), Twist<2>::Zero(), -1}))
             add_rate(image, link.open * by_open / covered * (r.rate.transpose() * n - lever<2>(n, corner.at - arm)));
@@ -256,7 +264,7 @@ void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const Dens
             } else {
                 const SharpCorner& corner = general.corner(link.fin);
                 const bool own = link.fin < static_cast<int>(square.corners.size()); // the corner's cell
-                const double covered = own ? covered_way(corner, square).first : 0,
+                const double covered = own ? covered_way(corner, square).length : 0,
                              alone = corner_conductance(corner.angle, link.open, covered),
                              // as stiff as the corner, or as any link is
                     conductance = own ? std::max(alone, 1 / std::max(parameters.least_covered, corner.own / alone)) : link.open;

@@ -6,6 +6,7 @@
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/remainder.hpp"
 #include "gapflow/step/sealed.hpp"
+#include "gapflow/step/start_impact.hpp"
 #include "gapflow/step/void_solve.hpp"
 #include "gapflow/stepping/core_requirement.hpp"
 #include "gapflow/stepping/force_parts.hpp"
@@ -56,6 +57,8 @@ Instant<D> start_with(const Model<D>& model, State<D>& state, StepReport& report
     for (std::string& warning : placement_warnings<D>(model.scene, state.bodies, model.walls))
         report.notes.push_back(std::move(warning));
     for (std::string& note : take_out_overlaps<D>(model.scene, model.grid, state.bodies, model.walls))
+        report.notes.push_back(std::move(note));
+    for (std::string& note : stop_flat_closing(model, state))
         report.notes.push_back(std::move(note));
     std::unique_ptr<Placed<D>> at;
     {

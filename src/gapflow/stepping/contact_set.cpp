@@ -127,6 +127,7 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
             contact.sliding_impulse = known->slides ? known->tangential : Vec<D - 1>::Zero();
             contact.tangential = contact.sliding_impulse; // known from before if found again after bodies were separated
             contact.slip = known->slip;
+            contact.approach = rate(known->normal, *known, twists);
         }
         contact.point = std::move(point);
         contacts_.push_back(std::move(contact));
@@ -144,10 +145,14 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
     for (Contact<D>& c : contacts_) {
         if (last_dt > 0)
             c.sliding_impulse *= dt / last_dt;
+        const double by_old_row = c.approach; // if it was known
         c.approach = rate(c.normal, c, before);
         c.gained = c.forced = std::abs(rate(c.normal, c, forced) - c.approach);
         for (const RelativeRow<D>& t : c.tangents)
             c.forced = std::hypot(c.forced, rate(t, c, forced) - rate(t, c, before));
+        // Surfaces that slide on each other turn the normal: what that changes of the rate of a contact that holds is no impact.
+        if (scene_->parts && c.closed)
+            c.forced += std::abs(c.approach - by_old_row) / slight_impact;
         c.least = -std::max(c.point.distance - c.hold, 0.0) / dt;
         const bool impact = c.restitution > 0 && c.approach < -resting * c.gained && c.approach < 0;
         // Of the speed that fluid in the gap leaves until they meet.

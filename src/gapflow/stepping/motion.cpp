@@ -66,9 +66,13 @@ template <int D>
 void find_contacts(const Model<D>& model, State<D>& state, const Step& step)
 {
     auto find = [&] { state.contacts.find(model.solids(state.bodies), model.twists(state.bodies), step.dt); };
+    const ContactSet<D> before = model.scene.parts ? state.contacts : ContactSet<D>();
     find();
-    for (int pass = 0; pass < most_separations && state.contacts.separate(state.bodies); ++pass)
+    for (int pass = 0; pass < most_separations && state.contacts.separate(state.bodies); ++pass) {
+        if (model.scene.parts)
+            state.contacts = before; // by whose rows the rates before the step are known
         find();
+    }
 }
 
 template <int D>

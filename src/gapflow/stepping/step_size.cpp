@@ -16,6 +16,8 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace gapflow {
 
@@ -89,17 +91,40 @@ double floating_frequency(const RigidBody<D>& body, const Twist<D>& V, const Twi
     return std::sqrt(std::max(square(body), square(ahead)));
 }
 
-// A free body's swing about its hinge or its centre of volume, and its oscillation on a spring or in a water level unless that is invisible. `dt`: by
-// other limits.
+// Mass of the other free bodies, with the fluid that they displace, that contacts hold to a body: what oscillates with it.
 template <int D>
-double limit_of_oscillation(const RigidBody<D>& body, const Twist<D>& V, const Twist<D>& A, const Scene& scene, double dx,
-                            double dt)
+double held_mass(const State<D>& state, std::size_t body, double fluid_density)
+{
+    const auto is_free = [&](int s) {
+        return s < static_cast<int>(state.bodies.size()) && state.bodies[s].motion == Motion::free;
+    };
+    std::set<int> reached{static_cast<int>(body)};
+    for (std::size_t before = 0; before < reached.size();) {
+        before = reached.size();
+        for (const Contact<D>& c : state.contacts.contacts())
+            for (const auto& [from, to] : {std::pair(c.point.a, c.point.b), std::pair(c.point.b, c.point.a)})
+                if (c.closed && reached.contains(from) && is_free(to))
+                    reached.insert(to);
+    }
+    double mass = 0;
+    for (const int b : reached)
+        if (b != static_cast<int>(body))
+            mass += state.bodies[b].mass + fluid_density * std::abs(state.bodies[b].volume);
+    return mass;
+}
+
+// A free body's swing about its hinge or its centre of volume, and its oscillation on a spring or in a water level unless that is invisible. `held`: mass
+// that contacts hold to it, with which the same velocity leads further. `dt`: by other limits.
+template <int D>
+double limit_of_oscillation(const RigidBody<D>& body, const Twist<D>& V, const Twist<D>& A, double held, const Scene& scene,
+                            double dx, double dt)
 {
     double frequency = swing_frequency<D>(body, to_vec<D>(scene.gravity), scene.density);
     if (const double spring = spring_frequency(body); spring > 0) {
         const Vec<D> arm = body.pose.position - body.centre();
+        const double slowest = spring / std::sqrt(1 + held * spring * spring / body.spring->stiffness);
         const double amplitude =
-            std::hypot(velocity_at<D>(V, arm).norm() / spring, velocity_at<D>(A, arm).norm() / (spring * spring));
+            std::hypot(velocity_at<D>(V, arm).norm() / slowest, velocity_at<D>(A, arm).norm() / (slowest * slowest));
         if (amplitude > invisible_amplitude * dx)
             frequency = std::hypot(frequency, spring);
     }
@@ -162,7 +187,9 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
                        bodies[b].twist;
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (bodies[b].motion == Motion::free)
-            dt = std::min(dt, limit_of_oscillation(bodies[b], V[b], A[b], scene, dx, dt));
+            dt = std::min(dt, limit_of_oscillation(bodies[b], V[b], A[b],
+                                                   scene.parts && bodies[b].spring ? held_mass(state, b, scene.density) : 0.0,
+                                                   scene, dx, dt));
     const std::vector<Solid<D>>& solids = here.solids;
     std::map<FilmPair<D>, int> counted; // elements of each pair's films so far, as its memory has them
     std::optional<GapLimit<D>> gaps;    // of films

@@ -391,6 +391,160 @@ TEST(Step, ABodyThatMeetsAWallKeepsItsImpulseAlongIt)
     EXPECT_LT(corrected, 1e-3 * energy);
 }
 
+// What lies flat on a wall and moves into it has met it: no velocity has brought the energy that its gap, as thin as the roughness, would have. Along the wall it goes on.
+template <int D>
+void expect_no_flat_closing()
+{
+    Scene scene = box_of_fluid(D, D == 2 ? 32 : 16, SideScene::Kind::wall);
+    const double dx = scene.spacing();
+    scene.contact.restitution = 1;
+    scene.gap.roughness = 0.005 * dx;
+    BodyScene box = body("box", BodyScene::ShapeKind::box, {0.5, 1 - 2 * dx, 0.5}, {0.3, 0.4, 0});
+    box.size = {8 * dx, 4 * dx, 6 * dx};
+    BodyScene behind = body("behind", BodyScene::ShapeKind::box, {0.5, 1 - 5.5 * dx, 0.5}, {0.3, 0.5, 0}); // flat on it
+    behind.size = {5 * dx, 3 * dx, 4 * dx};
+    behind.density = 100;
+    BodyScene disk = body("disk", BodyScene::ShapeKind::ball, {2 * dx, 0.3, 0.5}, {-0.1, 0, 0});
+    disk.radius = 2 * dx;
+    scene.bodies = {box, behind, disk};
+    const PartsRun<D> run(scene);
+    EXPECT_NEAR(run.state.bodies[0].twist[0], 0.3, 1e-9);
+    EXPECT_NEAR(run.state.bodies[0].twist[1], 0, 1e-9);
+    EXPECT_NEAR(run.state.bodies[1].twist[1], 0, 1e-9);
+    EXPECT_EQ(run.state.bodies[2].twist[0], -0.1) << "a round surface rebounds";
+    EXPECT_LT(run.now.energy, 5 * kinetic_energy(run.state.bodies[0]));
+    EXPECT_THAT(run.report.notes, ::testing::Contains(::testing::HasSubstr("lie flat on each other")));
+}
+
+TEST(Step, WhatLiesFlatOnAWallDoesNotStartIntoIt2D)
+{
+    expect_no_flat_closing<2>();
+}
+
+TEST(Step, WhatLiesFlatOnAWallDoesNotStartIntoIt3D)
+{
+    expect_no_flat_closing<3>();
+}
+
+// A light disk on a stiff spring is pressed by one of 2000 times its mass: with it the oscillation is as visible as its mass makes it, where it turns back too.
+TEST(Step, AHeavyBodyThatPressesASprungOneShowsItsOscillation)
+{
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    const double dx = scene.spacing();
+    scene.gap.roughness = 0.005 * dx;
+    BodyScene sprung = body("sprung", BodyScene::ShapeKind::ball, {0.5, 0.3, 0});
+    sprung.radius = 2 * dx;
+    sprung.spring = SpringScene{{0.5, 0.3, 0}, 1e6, 0};
+    BodyScene heavy = body("heavy", BodyScene::ShapeKind::ball, {0.5, 0.3 + 6.01 * dx, 0}, {0, -0.2, 0});
+    heavy.radius = 4 * dx;
+    heavy.density = 500;
+    scene.bodies = {sprung, heavy};
+    scene.max_step = 0.1;
+    Simulation<2> simulation(scene, Communicator());
+    double start = 0, least = 0;
+    for (int k = 0; k < 400 && simulation.bodies()[1].twist[1] < 0.1; ++k) {
+        const StepReport report = simulation.step(scene.end);
+        const double energy = report.energy_fluid + report.energy_bodies;
+        start = k == 0 ? energy : start;
+        EXPECT_LT(energy, 1.02 * start) << "step " << k + 1;
+        least = std::min(least, simulation.bodies()[0].pose.position[1] - 0.3);
+    }
+    EXPECT_LT(least, -1e-3 * dx);
+    EXPECT_GT(simulation.bodies()[1].twist[1], 0.1); // thrown back
+}
+
+// A corner whose sides both look at an open side of the domain, in the middle of a cell: as it passes that the energy is continuous (the moment of inertia jumped by 10 %).
+TEST(Step, ACornerPassesAnOpenSide)
+{
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    scene.sides[2].kind = SideScene::Kind::open;
+    const double dx = scene.spacing(), w = 7 * dx, h = 4.2 * dx;
+    std::array<TwistMatrix<2>, 2> N;
+    for (const int in : {0, 1}) {
+        BodyScene box = body("box", BodyScene::ShapeKind::box, {0.513, std::sqrt(0.125) * (w - h) + (in ? 1e-6 : -1e-6) * dx, 0});
+        box.size = {w, h, 0};
+        box.angle = std::numbers::pi / 4;
+        scene.bodies = {box};
+        const Model<2> model(scene, Communicator(), Task::motion);
+        const auto here = placed(model, model.bodies, model.masses(model.bodies, 0.0));
+        for (int k = 0; k < 3; ++k) {
+            std::vector<Twist<2>> V = model.twists(model.bodies);
+            V[0] = Twist<2>::Unit(k);
+            N[in].col(k) = fluid_impulse(*here, flow_of_twists(*here, V, exact()))[0];
+        }
+    }
+    for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(N[0](k, k), N[1](k, k), 1e-3 * N[0](k, k)) << k;
+}
+
+// A disk slides down a fixed one without friction. The contact's normal turns with it, which is no impact: the acceleration goes on, and gravity does no more work
+// than the way tells.
+TEST(Step, WhatSlidesOnARoundSurfaceMeetsItOnce)
+{
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    scene.gravity = {0, -1, 0};
+    scene.max_step = 0.02;
+    const double dx = scene.spacing(), angle = 0.5;
+    scene.gap.roughness = 0.01 * dx;
+    BodyScene base = body("base", BodyScene::ShapeKind::ball, {0.5, 0.35, 0});
+    base.radius = 6 * dx;
+    base.motion = BodyScene::Motion::fixed;
+    const double apart = 9.01 * dx;
+    BodyScene disk = body("disk", BodyScene::ShapeKind::ball, {0.5 + apart * std::sin(angle), 0.35 + apart * std::cos(angle), 0});
+    disk.radius = 3 * dx;
+    disk.density = 20;
+    scene.bodies = {base, disk};
+    Simulation<2> simulation(scene, Communicator());
+    const double volume = std::numbers::pi * disk.radius * disk.radius;
+    double start = 0, energy = 0;
+    for (int k = 0; k < 24; ++k) {
+        const StepReport report = simulation.step(scene.end);
+        const double kinetic = report.energy_fluid + report.energy_bodies,
+                     whole = kinetic + 19 * volume * simulation.bodies()[1].pose.position[1];
+        if (k == 3)
+            start = whole;
+        energy = kinetic;
+        if (k > 3) {
+            EXPECT_NEAR(whole, start, 0.01 * energy) << "step " << k + 1;
+        }
+    }
+    EXPECT_GT(energy, 5 * 0.02 * volume);
+}
+
+// So is it where the way of a step leads bodies by a little into each other, and they are moved apart again.
+TEST(Step, WhatSlidesOnABodyThatTurnsMeetsItOnce)
+{
+    Scene scene = box_of_fluid(2, 58, SideScene::Kind::wall);
+    scene.size = {0.0145, 0.0125, 0};
+    scene.cells = {58, 50, 1};
+    scene.gravity = {0, -9.81, 0};
+    scene.max_step = 2.8e-4;
+    scene.gap.roughness = 2.5e-7;
+    BodyScene flap = body("flap", BodyScene::ShapeKind::capsule, {0.005474936905516543, 0.006722186484780355, 0});
+    flap.radius = 0.0004544753517611566;
+    flap.length = 0.0022845817411077966;
+    flap.angle = std::numbers::pi / 18;
+    flap.density = 15.9;
+    flap.hinge = HingeScene{{0.00435, 0.0065238297567431, 0}};
+    BodyScene ball = body("ball", BodyScene::ShapeKind::ball, {0.0052207873546596985, 0.008163540212018785, 0});
+    ball.radius = 0.001009113580017453;
+    ball.density = 5.34;
+    scene.bodies = {flap, ball};
+    Simulation<2> simulation(scene, Communicator());
+    double start = 0;
+    for (int k = 0; k < 20; ++k) {
+        const StepReport report = simulation.step(scene.end);
+        const double kinetic = report.energy_fluid + report.energy_bodies;
+        double whole = kinetic;
+        for (const RigidBody<2>& b : simulation.bodies())
+            whole += 9.81 * (b.mass - scene.density * b.volume) * b.centre()[1];
+        start = k == 1 ? whole : start;
+        if (k > 1) {
+            EXPECT_NEAR(whole, start, 5e-3 * kinetic) << "step " << k + 1;
+        }
+    }
+}
+
 // Sum of fluid and bodies: the work of gravity is the whole change of energy, contacts lose.
 TEST(Step, GravityDoesTheWork)
 {
