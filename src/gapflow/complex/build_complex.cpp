@@ -41,8 +41,7 @@ static void find_ways_out(const Grid<2>& grid, const GridPlanes<2>& planes, std:
                 if (!is_open(grid.side(axis, side % 2)) || !(distance > 0))
                     continue;
                 for (const int turn : {-1, 1}) {
-                    const Vec<2> way =
-                        Eigen::Rotation2Dd(turn * (std::numbers::pi - 0.5 * corner.angle)) * corner.outward;
+                    const Vec<2> way = Eigen::Rotation2Dd(turn * (std::numbers::pi - 0.5 * corner.angle)) * corner.outward;
                     const double rate = sign * way[axis];
                     if (!(rate > parameters.parallel) || (corner.length_out > 0 && distance >= rate * corner.length_out))
                         continue;

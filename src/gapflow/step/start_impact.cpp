@@ -63,9 +63,10 @@ std::vector<std::string> stop_flat_closing(const Model<D>& model, State<D>& stat
     std::vector<std::string> notes;
     for (const Contact<D>* c : flat)
         if (c->restitution > 0 && rate(c->normal, *c, V) < -same * fastest) {
-            notes.push_back("'" + solids[c->point.a].name + "' and '" + solids[c->point.b].name +
-                            "' lie flat on each other and approach at the start: the fluid between them stops that, and they do "
-                            "not rebound; place them apart");
+            notes.push_back(
+                "'" + solids[c->point.a].name + "' and '" + solids[c->point.b].name +
+                "' lie flat on each other and approach at the start: the fluid between them stops that, and they do "
+                "not rebound; place them apart");
             break;
         }
     // Projected Gauss-Seidel: impulses that push.

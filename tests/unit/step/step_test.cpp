@@ -461,7 +461,8 @@ TEST(Step, ACornerPassesAnOpenSide)
     const double dx = scene.spacing(), w = 7 * dx, h = 4.2 * dx;
     std::array<TwistMatrix<2>, 2> N;
     for (const int in : {0, 1}) {
-        BodyScene box = body("box", BodyScene::ShapeKind::box, {0.513, std::sqrt(0.125) * (w - h) + (in ? 1e-6 : -1e-6) * dx, 0});
+        BodyScene box =
+            body("box", BodyScene::ShapeKind::box, {0.513, std::sqrt(0.125) * (w - h) + (in ? 1e-6 : -1e-6) * dx, 0});
         box.size = {w, h, 0};
         box.angle = std::numbers::pi / 4;
         scene.bodies = {box};
@@ -490,7 +491,8 @@ TEST(Step, WhatSlidesOnARoundSurfaceMeetsItOnce)
     base.radius = 6 * dx;
     base.motion = BodyScene::Motion::fixed;
     const double apart = 9.01 * dx;
-    BodyScene disk = body("disk", BodyScene::ShapeKind::ball, {0.5 + apart * std::sin(angle), 0.35 + apart * std::cos(angle), 0});
+    BodyScene disk =
+        body("disk", BodyScene::ShapeKind::ball, {0.5 + apart * std::sin(angle), 0.35 + apart * std::cos(angle), 0});
     disk.radius = 3 * dx;
     disk.density = 20;
     scene.bodies = {base, disk};
