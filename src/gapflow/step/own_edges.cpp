@@ -1,5 +1,7 @@
 #include "gapflow/step/own_edges.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -18,24 +20,43 @@ std::pair<std::int32_t, std::int32_t> pair_of(const std::array<std::int32_t, 2>&
     return std::minmax<std::int32_t>(solid[0], solid[1]);
 }
 
-/// The circulation around an edge across a corner's line and the faces beside it: of the edge of the same solids that lies nearest to where the corner has moved to.
+/// The circulation around a mouth's edge and the faces along it: of the edge of the same solids that lies nearest to where the corner has moved to; of several that one
+/// corner's line crosses in the nearest cell.
 template <int D>
-void carry_at_corners(const Placed<D>& from, const std::vector<double>& own, const Placed<D>& to, std::vector<double>& carried)
+void carry_in_mouths(const Placed<D>& from, const std::vector<double>& own, const Placed<D>& to, std::vector<double>& carried)
 {
-    const double reach = to.coupling.grid->dx();
-    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::pair<Vec<D>, double>>> known;
-    for (const CornerEdge<D>& edge : from.edges.at_corners) {
+    struct Known {
+        Vec<D> at;
+        Index<D> cell;
+        double own;
+    };
+    const auto cell_of = [](const Placed<D>& of, const MouthEdge<D>& edge) {
+        const auto rows = of.edges.rows_of(of.edges.edges[edge.edge]);
+        return rows.empty() ? Index<D>(Index<D>::Zero()) : rows[0].cell;
+    };
+    const double dx = to.coupling.grid->dx(), round_off = 1e-9 * dx;
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<Known>> known;
+    for (const MouthEdge<D>& edge : from.edges.in_mouths) {
         const int s = edge.solid[0];
         const Vec<D> moved = to.coupling.solids[s].shape.to_world(from.coupling.solids[s].shape.to_body(edge.at));
-        known[pair_of(edge.solid)].emplace_back(moved, own[edge.edge]);
+        known[pair_of(edge.solid)].push_back({moved, cell_of(from, edge), own[edge.edge]});
     }
-    for (const CornerEdge<D>& edge : to.edges.at_corners) {
+    for (const MouthEdge<D>& edge : to.edges.in_mouths) {
         const auto of = known.find(pair_of(edge.solid));
-        double nearest = reach;
-        for (const auto& [at, value] : of == known.end() ? std::vector<std::pair<Vec<D>, double>>{} : of->second)
-            if (const double distance = to.coupling.grid->nearest_image(at - edge.at).norm(); distance < nearest) {
-                nearest = distance;
-                carried[edge.edge] = value;
+        if (of == known.end())
+            continue;
+        const auto distance = [&](const Known& one) { return to.coupling.grid->nearest_image(one.at - edge.at).norm(); };
+        double nearest = dx;
+        for (const Known& one : of->second)
+            nearest = std::min(nearest, distance(one));
+        if (nearest == dx)
+            continue;
+        const Index<D> cell = cell_of(to, edge);
+        int least = std::numeric_limits<int>::max();
+        for (const Known& one : of->second)
+            if (const int steps = (one.cell - cell).squaredNorm(); distance(one) <= nearest + round_off && steps < least) {
+                least = steps;
+                carried[edge.edge] = one.own;
             }
     }
 }
@@ -79,7 +100,7 @@ std::vector<double> carried_along_edges(const Placed<D>& from, const std::vector
         if (const std::int32_t its = from.edges.edge_of_piece[nearest]; its >= 0)
             carried[edge] = own[its];
     }
-    carry_at_corners(from, own, to, carried);
+    carry_in_mouths(from, own, to, carried);
     return carried;
 }
 

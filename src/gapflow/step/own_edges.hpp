@@ -9,7 +9,7 @@ namespace gapflow {
 template <int D>
 std::vector<double> own_along_edges(const Placed<D>& at, const Remainder<D>& remainder);
 
-/// The same at another place of the bodies: of the piece of the same face that lies nearest, and of the corner of the same solids; 0 where there is none.
+/// The same at another place of the bodies: of the piece of the same face that lies nearest, and of the mouth of the same solids; 0 where there is none.
 template <int D>
 std::vector<double> carried_along_edges(const Placed<D>& from, const std::vector<double>& own, const Placed<D>& to);
 

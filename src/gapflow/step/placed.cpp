@@ -59,7 +59,6 @@ EdgesOfParts<D> edges_of_parts(const Grid<D>& grid, const Coupling<D>& coupling,
             result.edge_of_link[k] = begin(unit * inertia.link_conductance[k], -1, static_cast<std::int32_t>(k), -1);
             add_row(PartOrCell::part(link.a), 1);
             add_row(PartOrCell::part(link.b), -1);
-            result.at_corners.push_back({result.edge_of_link[k], {link.solid, link.solid}, in_world(link.at)});
         }
     std::vector<std::int32_t> edge_of_mouth(inertia.mouths.size(), -1);
     auto arm = arms.begin();
@@ -72,7 +71,7 @@ EdgesOfParts<D> edges_of_parts(const Grid<D>& grid, const Coupling<D>& coupling,
         edge_of_mouth[k] = begin(unit * mouth.conductance, -1, -1, static_cast<std::int32_t>(k));
         for (const auto& [row, weight] : mouth.rows)
             add_row(row, weight);
-        result.at_corners.push_back(
+        result.in_mouths.push_back(
             {edge_of_mouth[k], arm->solid,
              in_world(arm->link >= 0 ? complex.links[arm->link].at : complex.pieces[arm->piece].centroid)});
     }

@@ -28,12 +28,12 @@ struct SparseEdge {
     std::int32_t first_row = 0, rows = 0; ///< in EdgesOfParts::rows
 };
 
-/// An edge across the line (3D: plane) by which a sharp corner divides the fluid.
+/// An edge in a mouth.
 template <int D>
-struct CornerEdge {
+struct MouthEdge {
     std::int32_t edge;
-    std::array<std::int32_t, 2> solid; ///< the corner's, and of a mouth the one across; else the corner's again
-    Vec<D> at;
+    std::array<std::int32_t, 2> solid; ///< the corner's and the one across
+    Vec<D> at;                         ///< the corner, or the middle of a face
 };
 
 /// Flux of a solid's twist along a face of the grid or an edge, which K has.
@@ -53,7 +53,7 @@ struct EdgesOfParts {
     std::vector<typename SparseEdge<D>::Row> rows;
     std::vector<std::int32_t> edge_of_piece; ///< -1: none
     std::vector<std::int32_t> edge_of_link;
-    std::vector<CornerEdge<D>> at_corners;
+    std::vector<MouthEdge<D>> in_mouths;
     std::vector<CarriedFlux<D>> carried; ///< of this rank's faces
     std::vector<CarriedFlux<D>> covered; ///< the same of what solids cover of them, which is not the fluid's
 
