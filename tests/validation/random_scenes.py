@@ -341,7 +341,7 @@ def main():
     run.add_argument("--limit", metavar="SECONDS", type=float, default=LIMIT, help="of the processor, for a scene")
     run.add_argument("--reynolds", metavar=("LEAST", "LARGEST"), nargs=2, type=float, help="between these instead of a scene's own, all fluid viscous")
     run.add_argument("--save", metavar="FOLDER", help="scenes with defects go here")
-    run.add_argument("--parts", action="store_true", help="gap.model = \"parts\", without jets and vapour pressure; ideal fluid at rest at the start but with --reynolds")
+    run.add_argument("--parts", action="store_true", help="gap.model = \"parts\", without jets; ideal fluid without vapour pressure, at rest at the start, but with --reynolds")
     judge = commands.add_parser("judge")
     judge.add_argument("file", nargs="+", type=Path)
     commands.add_parser("show").add_argument("number", type=int)

@@ -86,11 +86,11 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
             high[axis] = planes.place[axis][planes.place[axis].last()] + 2;
         }
     std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
-    if constexpr (D == 2)
+    if constexpr (D == 2) {
         find_ways_out(grid, planes, placed);
-    if constexpr (D == 2)
         if (mouths)
             complex.mouths = find_mouths(planes, solids, placed);
+    }
     std::optional<EdgeMouths> edge_mouths;
     if constexpr (D == 3)
         if (edges_lead)

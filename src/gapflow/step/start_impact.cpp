@@ -1,7 +1,9 @@
 #include "gapflow/step/start_impact.hpp"
 
 #include "gapflow/body/forces.hpp"
+#include "gapflow/complex/parameters.hpp"
 #include "gapflow/stepping/contact_rows.hpp"
+#include "gapflow/stepping/start_flow.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +13,6 @@
 namespace gapflow {
 namespace {
 
-constexpr double flush = 1e-8;     // in cells, and of the roughness 1e-3: surfaces that touch
-constexpr double patch = 0.1;      // in cells: the size of what lies flat
-constexpr double parallel = 1e-6;  // angle between normals
-constexpr double same = 1e-6;      // of the largest speed
 constexpr double accuracy = 1e-12; // of it, of a rate
 constexpr int most_sweeps = 10000;
 
@@ -25,14 +23,14 @@ bool lies_flat(const Contact<D>& at, const std::vector<const Contact<D>*>& touch
     std::vector<Vec<D>> ways;
     for (const Contact<D>* other : touching)
         if (other->point.a == at.point.a && other->point.b == at.point.b && other->point.shift == at.point.shift &&
-            (other->point.normal - at.point.normal).norm() < parallel)
+            (other->point.normal - at.point.normal).norm() < parameters.parallel)
             ways.push_back(other->point.x - at.point.x);
     if constexpr (D == 2)
-        return std::any_of(ways.begin(), ways.end(), [&](const Vec<2>& way) { return way.norm() > patch * dx; });
+        return std::any_of(ways.begin(), ways.end(), [&](const Vec<2>& way) { return way.norm() > flat::patch * dx; });
     else {
         for (const Vec<3>& one : ways)
             for (const Vec<3>& other : ways)
-                if (one.cross(other).norm() > 2 * patch * patch * dx * dx)
+                if (one.cross(other).norm() > 2 * flat::patch * flat::patch * dx * dx)
                     return true;
         return false;
     }
@@ -55,14 +53,14 @@ std::vector<std::string> stop_flat_closing(const Model<D>& model, State<D>& stat
     near.find(solids, V, 0);
     std::vector<const Contact<D>*> touching, flat;
     for (const Contact<D>& c : near.contacts())
-        if (c.point.distance <= c.hold + std::max(1e-3 * c.hold, flush * dx))
+        if (c.point.distance <= c.hold + std::max(1e-3 * c.hold, flat::flush * dx))
             touching.push_back(&c);
     std::copy_if(touching.begin(), touching.end(), std::back_inserter(flat),
                  [&](const Contact<D>* c) { return lies_flat(*c, touching, dx); });
 
     std::vector<std::string> notes;
     for (const Contact<D>* c : flat)
-        if (c->restitution > 0 && rate(c->normal, *c, V) < -same * fastest) {
+        if (c->restitution > 0 && rate(c->normal, *c, V) < -flat::same * fastest) {
             notes.push_back(
                 "'" + solids[c->point.a].name + "' and '" + solids[c->point.b].name +
                 "' lie flat on each other and approach at the start: the fluid between them stops that, and they do "
@@ -101,7 +99,7 @@ std::vector<std::string> stop_flat_closing(const Model<D>& model, State<D>& stat
             V[c.point.b] += change * push.response[1];
             largest = std::max(largest, std::abs(change) * push.mobility);
         }
-        any = any || largest > same * fastest;
+        any = any || largest > flat::same * fastest;
         if (largest <= accuracy * fastest)
             break;
     }
@@ -109,7 +107,7 @@ std::vector<std::string> stop_flat_closing(const Model<D>& model, State<D>& stat
         return {};
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         if (state.bodies[b].motion == Motion::free)
-            set_initial_twist<D>(state.bodies[b], V[b].norm() < same * fastest ? Twist<D>(Twist<D>::Zero()) : V[b]);
+            set_initial_twist<D>(state.bodies[b], V[b].norm() < flat::same * fastest ? Twist<D>(Twist<D>::Zero()) : V[b]);
     return notes;
 }
 

@@ -237,26 +237,17 @@ Friction<D> friction_of(const ViscousForm<D>& form, const Eigen::VectorXd& x, co
 /// What the remainder loses along the edges to friction: what the momenta change by beside the pressure and what drives. (The form's derivatives are the same to the
 /// solver's tolerance, but in a sliver of a face they are round-off times the square of its width's inverse.)
 template <int D>
-Eigen::VectorXd slowed_along_edges(const ViscousColumns<D>& columns, const ViscousStages<D>& stages,
-                                   const Eigen::VectorXd& start, const Remainder<D>& driven, const Grid<D>& grid,
-                                   double density)
+Eigen::VectorXd slowed_along_edges(const Placed<D>& at, const ViscousColumns<D>& columns, const ViscousStages<D>& stages,
+                                   const Eigen::VectorXd& start, const Remainder<D>& driven)
 {
-    Eigen::VectorXd pushed = Eigen::VectorXd::Zero(columns.edges());
-    for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-            if (const int edge = columns.edge_of_face(axis, f); edge >= 0)
-                pushed[edge] = face_length(grid, axis, f) * driven.faces(axis, f);
-        });
-    for (std::size_t e = 0; e < driven.edges.size(); ++e)
-        pushed[columns.edge_of(e)] = driven.edges[e];
-    const Eigen::VectorXd pressed = columns.drops(stages.pressure);
+    const std::vector<Twist<D>> rest(at.coupling.solids.size(), Twist<D>::Zero());
+    const Eigen::VectorXd without =
+        columns.of_flow(PotentialFlow<D>{rest, columns.to_unknowns(-stages.pressure), 0, driven}) - (stages.end - start);
+    Eigen::VectorXd slowed = Eigen::VectorXd::Zero(columns.edges());
     for (int edge = 0; edge < columns.edges(); ++edge)
-        pushed[edge] =
-            columns.conductance(edge) > 0
-                ? pushed[edge] -
-                      ((stages.end[edge] - start[edge]) / std::sqrt(columns.conductance(edge)) + pressed[edge]) / density
-                : 0.0;
-    return pushed;
+        if (const double g = columns.conductance(edge); g > 0)
+            slowed[edge] = without[edge] / (std::sqrt(g) * at.coupling.density);
+    return slowed;
 }
 
 /// The flow after the stages, and what they do to the solids.
@@ -272,7 +263,7 @@ void take_end(const Placed<D>& at, const ViscousForm<D>& form, const ViscousColu
     Eigen::VectorXd by_form(x.size());
     form.product({x.data(), static_cast<std::size_t>(x.size())}, {by_form.data(), static_cast<std::size_t>(by_form.size())});
     by_form *= factor;
-    const Eigen::VectorXd slowed = slowed_along_edges(columns, stages, start, driven, grid, coupling.density);
+    const Eigen::VectorXd slowed = slowed_along_edges(at, columns, stages, start, driven);
     PotentialFlow<D> by{{}, columns.to_unknowns(stages.pressure), 0, {}};
     for (std::size_t s = 0; s < flow.twists.size(); ++s)
         by.twists.push_back(stages.end.template segment<T>(columns.twist(static_cast<int>(s))) - flow.twists[s]);

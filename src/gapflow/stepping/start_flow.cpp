@@ -7,10 +7,6 @@ namespace gapflow {
 
 namespace {
 
-constexpr double flush = 1e-8; // in cells, and of the floor 1e-3: surfaces that touch
-constexpr double patch = 0.1;  // in cells: the size of a part of a film that lies flat
-constexpr double same = 1e-6;  // of the largest speed
-
 // A place where two solids lie on each other: opening rate row_a . V_a + row_b . V_b.
 template <int D>
 struct Meeting {
@@ -24,11 +20,11 @@ template <int D>
 std::vector<Meeting<D>> flat_touches(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
                                      const std::function<bool(int, int)>& rebound)
 {
-    const double dx = coupling.grid->dx(), least = D == 2 ? patch * dx : patch * patch * dx * dx;
+    const double dx = coupling.grid->dx(), least = D == 2 ? flat::patch * dx : flat::patch * flat::patch * dx * dx;
     std::vector<Meeting<D>> touches;
     for (const Film<D>& film : coupling.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
-        const double floor = gaps(mesh.master, mesh.other).floor, slack = std::max(1e-3 * floor, flush * dx),
+        const double floor = gaps(mesh.master, mesh.other).floor, slack = std::max(1e-3 * floor, flat::flush * dx),
                      most = floor + slack;
         const auto apart = [&](int node) { return (mesh.y[node] - mesh.x[node]).norm(); };
         const bool round = !mesh.flat && rebound && rebound(mesh.master, mesh.other);
@@ -134,13 +130,13 @@ std::vector<Twist<D>> start_twists(const Coupling<D>& coupling, const std::vecto
     if (fastest == 0)
         return twists;
     const auto touches = flat_touches<D>(coupling, gaps, rebound);
-    if (!(largest_rate(touches, twists) > same * fastest))
+    if (!(largest_rate(touches, twists) > flat::same * fastest))
         return twists;
     std::vector<Twist<D>> V = without_rates(touches, bodies, coupling.solids, false, twists);
-    if (largest_rate(touches, V) > same * fastest)
+    if (largest_rate(touches, V) > flat::same * fastest)
         V = without_rates(touches, bodies, coupling.solids, true, twists);
     for (Twist<D>& twist : V)
-        if (twist.norm() < same * fastest)
+        if (twist.norm() < flat::same * fastest)
             twist.setZero();
     return V;
 }
@@ -149,7 +145,7 @@ template <int D>
 std::optional<std::array<int, 2>> falls_flat(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
                                              const std::vector<Twist<D>>& twists, const std::function<bool(int, int)>& rebound)
 {
-    const double least = same * fastest_of<D>(twists);
+    const double least = flat::same * fastest_of<D>(twists);
     std::optional<std::array<int, 2>> pair;
     for (const Meeting<D>& touch : flat_touches<D>(coupling, gaps, rebound)) {
         const double rate = opening_rate(touch, twists);

@@ -11,6 +11,13 @@
 
 namespace gapflow {
 
+/// What lies flat on another solid at the start.
+namespace flat {
+inline constexpr double flush = 1e-8; ///< in cells, and of the floor (roughness) 1e-3: surfaces that touch
+inline constexpr double patch = 0.1;  ///< in cells: the size of what lies flat
+inline constexpr double same = 1e-6;  ///< of the largest speed
+} // namespace flat
+
 /// Twists of all solids for the flow at the start: the given ones without the rate of approach or separation of surfaces that
 /// lie flat on each other. A film of zero thickness cannot carry the corresponding flux; the first step treats that rate as an
 /// impact. Free bodies give way by their masses, prescribed ones where no free body can. `twists` if no surfaces do so.
